@@ -13,7 +13,7 @@
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {

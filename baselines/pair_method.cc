@@ -9,7 +9,7 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 namespace raygauge {
 namespace {

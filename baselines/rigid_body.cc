@@ -8,7 +8,7 @@
 
 #include "engine/sets/hull_3d.h"
 #include "engine/sets/spatial_shape.h"
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/prepared_set.h"
 
 namespace raygauge {

@@ -10,15 +10,14 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::bench {
 namespace {

@@ -17,7 +17,7 @@
 #include "raygauge/meshes/mesh.h"
 #include "raygauge/scene/edge_checker.h"
 #include "raygauge/sets/box.h"
-#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "scene/input/robot_file.h"
 
 namespace raygauge::bench {

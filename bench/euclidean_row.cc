@@ -14,7 +14,7 @@
 #include "engine/sweep/order_statistics.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 namespace raygauge::bench {
 namespace {

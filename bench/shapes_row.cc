@@ -17,7 +17,7 @@
 #include "engine/sweep/order_statistics.h"
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 
 namespace raygauge::bench {

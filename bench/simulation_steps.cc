@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "bench/program.h"
-#include "raygauge/scene/simulation.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
+#include "raygauge/simulation.h"
 #include "scene/engines/loaded_engine.h"
 #include "scene/friction/loaded_friction.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {

@@ -10,7 +10,7 @@
 #include "generators/separated_spheres.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/zonotope.h"
+#include "raygauge/sets/polytopes.h"
 
 namespace raygauge::random_segments {
 namespace {

@@ -9,8 +9,8 @@
 #include "generators/component.h"
 #include "generators/separated_spheres.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/polytopes.h"
 
 namespace raygauge::tangent_facets {
 namespace {

@@ -20,7 +20,7 @@
 #include "cluster/ranks.h"
 #include "engine/sweep/estimate.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 namespace raygauge::cli {
 namespace {

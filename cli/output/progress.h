@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 namespace raygauge::cli {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/record.h"
-#include "raygauge/sweep/sweep.h"
 
 namespace raygauge::cli {
 

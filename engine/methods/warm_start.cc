@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/methods/warm_start.h"
+#include "raygauge/methods/result.h"
 
 #include <algorithm>
 #include <cmath>

@@ -73,8 +73,8 @@ void BodyDepth::bound_tiny(double tolerance, BodyDepthAnswer& answer) const {
 
 void BodyDepth::put_points(const Vector3& normal, const Vector3& a1, const Vector3& a2,
                            BodyDepthAnswer& answer) const {
-  pair_.point_to_world(a1 + normal * radius_[0], &answer.point_1.x);
-  pair_.point_to_world(a2 - normal * radius_[1], &answer.point_2.x);
+  pair_.frame().point_to_world(a1 + normal * radius_[0], &answer.point_1.x);
+  pair_.frame().point_to_world(a2 - normal * radius_[1], &answer.point_2.x);
 }
 
 // By what the cores' distance has just found; the normal and the points are those that prove the better
@@ -129,7 +129,7 @@ PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
   if (found.count > 0) {
     PrecisePoint projected;
     projected.a1 = raygauge::precise(found.point[0].a1);
-    projected.a2 = raygauge::precise(pair_.to_second(found.point[0].a2));
+    projected.a2 = raygauge::precise(pair_.frame().to_second(found.point[0].a2));
     for (int i = 0; i < kProjections && precise.project(projected); ++i) simplex.point[0] = projected;
   }
   for (int i = 0; i < std::min(found.count, 3); ++i) {
@@ -178,7 +178,7 @@ void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
 bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
   const double* normal = recorded_normal(start, pair_.dimension());
   if (normal == nullptr) return false;
-  const Vector3 u = -pair_.to_body(normal);
+  const Vector3 u = -pair_.frame().to_body(normal);
   SpatialPoint point;
   pair_.support(u, point);
   const double height = dot(u, point.s), size = length(u) * (1 + 0x1p-50);
@@ -203,7 +203,7 @@ bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthA
     asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().bounds.upper());
   }
   if (!answer.bounds.close(tolerance)) refine_apart(answer);
-  normal_ = -pair_.to_body(&answer.normal.x);
+  normal_ = -pair_.frame().to_body(&answer.normal.x);
   answer.point_1 = answer.point_1 - answer.normal * radius_[0];
   answer.point_2 = answer.point_2 + answer.normal * radius_[1];
   answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
@@ -219,7 +219,7 @@ void BodyDepth::take(DepthSearch<Real>& search, bool world, BodyDepthAnswer& ans
   Vector3 n = rounded(search.normal()), a1, a2;
   if (pair_.dimension() == 2) n.z = 0;
   n = n * (1 / length(n));
-  normal_ = world ? pair_.to_body(&n.x) : n;
+  normal_ = world ? pair_.frame().to_body(&n.x) : n;
   has_points_ = search.lower() > 0 && search.contact(n, a1, a2);
   if (has_points_) put_points(normal_, a1, a2, answer);
 }
@@ -275,7 +275,7 @@ bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const 
   if (!answer.bounds.close(tolerance) || !has_points_) return false;
   answer.support_queries += pair_.queries();
   answer.status = DistanceStatus::optimal;
-  pair_.to_world(-normal_, &answer.normal.x);
+  pair_.frame().to_world(-normal_, &answer.normal.x);
   return true;
 }
 
@@ -285,7 +285,7 @@ void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch
   const Vector3& between = pair_.between_centers();
   const double* normal = start != nullptr ? recorded_normal(*start, pair_.dimension()) : nullptr;
   const bool has_start = normal != nullptr && !(length(between) < kDeep * pair_.inner_radius());
-  const Vector3 given = has_start ? -pair_.to_body(normal) : between;
+  const Vector3 given = has_start ? -pair_.frame().to_body(normal) : between;
   const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
@@ -296,7 +296,7 @@ void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch
   PreciseOracle precise;
   if ((end == DepthEnd::rounding || end == DepthEnd::flat) && precise.bind(pair_)) {
     Vector3 world;
-    pair_.to_world(quick_.normal(), &world.x);
+    pair_.frame().to_world(quick_.normal(), &world.x);
     if (pair_.dimension() == 2) world.z = quick_.normal().z;
     source_ = Source::precise;
     end = precise_.run(precise, raygauge::precise(world), {tolerance, floor_, ball_lower, ball_upper}, watch);
@@ -338,7 +338,7 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
     find_near_points(answer, a1, a2);
     put_points(normal_, a1, a2, answer);
   }
-  pair_.to_world(-normal_, &answer.normal.x);
+  pair_.frame().to_world(-normal_, &answer.normal.x);
 }
 
 // A search has outward normals of S1 - S2, in the frame of the first body or of the world.
@@ -358,7 +358,7 @@ void BodyDepth::add_near_normals(double relative, double angle, std::vector<Vect
   }
   for (std::size_t i = first; i < normals.size(); ++i) {
     Vector3 world = -normals[i];
-    if (source_ != Source::precise) pair_.to_world(-normals[i], &world.x);
+    if (source_ != Source::precise) pair_.frame().to_world(-normals[i], &world.x);
     if (pair_.dimension() == 2) world.z = 0;
     normals[i] = world;
   }

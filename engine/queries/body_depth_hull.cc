@@ -18,13 +18,13 @@ BodyDepth::InHull BodyDepth::in_hull() const {
   const SpatialShape &hull = pair_.shape(at), &other = pair_.shape(1 - at);
   if (hull.kind != SpatialShape::Kind::points || hull.table == nullptr || !is_between_ends(other)) return {};
   const Vector3 half = is_point(other) ? Vector3{} : other.axis.column[0];
-  const Matrix3& R = pair_.rotation();
+  const Matrix3& R = pair_.frame().R;
   if (at == 0) {
-    const Vector3 center = pair_.from_second(other.center), turned = R * half;
+    const Vector3 center = pair_.frame().from_second(other.center), turned = R * half;
     return {&hull.table->surface(), false, center, center, turned, turned};
   }
-  return {&hull.table->surface(),        true, other.center,
-          pair_.to_second(other.center), half, R.transposed_times(half)};
+  return {&hull.table->surface(),  true, other.center, pair_.frame().to_second(other.center), half,
+          R.transposed_times(half)};
 }
 
 HullSurface::Nearest BodyDepth::InHull::nearest(InstructionSet isa) const {
@@ -51,7 +51,7 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   const HullSurface::Nearest nearest = in.nearest(isa_);
   const double lower = nearest.room - pair_.error();
   if (!(lower > 0)) return false;
-  const Vector3 u = in.is_second ? -(pair_.rotation() * nearest.normal) : nearest.normal;
+  const Vector3 u = in.is_second ? -(pair_.frame().R * nearest.normal) : nearest.normal;
   SpatialPoint point;
   pair_.support(u, point);
   const double size = length(u), height = dot(u, point.s) / size + pair_.error();
@@ -67,7 +67,7 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   normal_ = u * (1 / size);
   const Vector3 way = normal_ * nearest.room, other = touching(in, nearest);
   put_points(normal_, in.is_second ? other : other + way, in.is_second ? other - way : other, answer);
-  pair_.to_world(-normal_, &answer.normal.x);
+  pair_.frame().to_world(-normal_, &answer.normal.x);
   return true;
 }
 
@@ -90,14 +90,14 @@ bool BodyDepth::leave_known(const Known& known, Source source, const Vector3& fr
   normal_ = known.normal();
   const Vector3 a1 = from + of_first;
   put_points(normal_, a1, a1 - normal_ * known.upper(), answer);
-  pair_.to_world(-normal_, &answer.normal.x);
+  pair_.frame().to_world(-normal_, &answer.normal.x);
   return true;
 }
 
 // The difference of both cores is a sum of segments.
 bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
   if (pair_.dimension() != 3) return false;
-  const Matrix3& R = pair_.rotation();
+  const Matrix3& R = pair_.frame().R;
   boxes_.begin(-pair_.between_centers());
   if (!for_generators(pair_.shape(0), [&](const Vector3& g) { boxes_.add_first(g); }) ||
       !for_generators(pair_.shape(1), [&](const Vector3& g) { boxes_.add(R * g); }) ||
@@ -122,7 +122,7 @@ bool BodyDepth::leave_polytopes(double tolerance, BodyDepthAnswer& answer) {
   const PolytopeFaces* first = faces_of(one);
   const PolytopeFaces* second = first != nullptr ? faces_of(two) : nullptr;
   return second != nullptr &&
-         polytopes_.solve(*first, *second, pair_.rotation(), pair_.from_second({}),
+         polytopes_.solve(*first, *second, pair_.frame().R, pair_.frame().from_second({}),
                           pair_.pose(0).defect + pair_.pose(1).defect, 2 * pair_.size()) &&
          leave_known(polytopes_, Source::polytopes, {}, tolerance, answer);
 }
@@ -149,7 +149,7 @@ void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vecto
   const InHull in = in_hull();
   const double cosine = std::cos(angle);
   const auto add = [&](const Vector3& plane) {
-    const Vector3 n = in.is_second ? -(pair_.rotation() * plane) : plane;
+    const Vector3 n = in.is_second ? -(pair_.frame().R * plane) : plane;
     const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
     if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
   };

@@ -66,9 +66,9 @@ void BodyFaces::scale(BodyScaling scaling, double factor) {
   factor_ = scaling == BodyScaling::none ? 1.0 : factor;
   if (has_shapes_) {
     Vector3 w;
-    pair_.point_to_world({}, &w.x);
-    about_[0] = scaling == BodyScaling::about_origin ? -pair_.to_body(&w.x) : pair_.shape(0).center;
-    about_[1] = pair_.from_second(pair_.shape(1).center);
+    pair_.frame().point_to_world({}, &w.x);
+    about_[0] = scaling == BodyScaling::about_origin ? -pair_.frame().to_body(&w.x) : pair_.shape(0).center;
+    about_[1] = pair_.frame().from_second(pair_.shape(1).center);
     return;
   }
   about_[0] = about_[1] = {};
@@ -78,7 +78,7 @@ void BodyFaces::scale(BodyScaling scaling, double factor) {
 
 // The outward direction as body i sees it, in its own frame.
 Vector3 BodyFaces::into(int i, const Vector3& outward) const {
-  return i == 0 || !has_shapes_ ? outward : pair_.rotation().transposed_times(outward);
+  return i == 0 || !has_shapes_ ? outward : pair_.frame().R.transposed_times(outward);
 }
 
 double BodyFaces::height(int i, const Vector3& u, Vector3& point) const {
@@ -88,7 +88,7 @@ double BodyFaces::height(int i, const Vector3& u, Vector3& point) const {
       const auto view = core.look(v, pair_.instruction_set());
       return view.height(view.index);
     });
-    return i == 0 ? h : h + dot(u, pair_.from_second({}));
+    return i == 0 ? h : h + dot(u, pair_.frame().from_second({}));
   }
   point = {};
   return view_[i]->set().support_unchecked(&u.x, &point.x);
@@ -105,7 +105,7 @@ void BodyFaces::list(int i, double margin) {
     room = std::min(room, kShareOfBall * (shape.inner_radius - shape.radius));
   with_core(shape, [&](const auto& core) {
     core.face(into(i, i == 0 ? normal_ : -normal_), room + noise_, pair_.instruction_set(),
-              [&](const Vector3& x) { add(i, i == 0 ? x : pair_.from_second(x)); });
+              [&](const Vector3& x) { add(i, i == 0 ? x : pair_.frame().from_second(x)); });
   });
 }
 
@@ -135,7 +135,7 @@ void BodyFaces::sample(int i, double margin) {
 
 void BodyFaces::list_faces(const Vector3& normal, double margin) {
   constexpr double kLeastMargin = 1e-7;  // of the width: what a normal may be off by
-  normal_ = has_shapes_ ? pair_.to_body(&normal.x) : normal;
+  normal_ = has_shapes_ ? pair_.frame().to_body(&normal.x) : normal;
   face_.begin(normal_);
   for (int i = 0; i < 2; ++i) {
     if (has_shapes_) {
@@ -159,7 +159,7 @@ bool BodyFaces::find(const Vector3& normal, double margin, double beside, double
 Vector3 BodyFaces::to_world(int i, const Vector3& point) const {
   if (!has_shapes_) return point;
   Vector3 world;
-  pair_.point_to_world(point + face_.normal(i) * (radius_[i] * factor_), &world.x);
+  pair_.frame().point_to_world(point + face_.normal(i) * (radius_[i] * factor_), &world.x);
   if (dimension_ == 2) world.z = 0;
   return world;
 }
@@ -181,7 +181,7 @@ double BodyFaces::error() const {
 }
 
 double BodyFaces::overlap(const Vector3& normal) const {
-  const Vector3 n = has_shapes_ ? pair_.to_body(&normal.x) : normal;
+  const Vector3 n = has_shapes_ ? pair_.frame().to_body(&normal.x) : normal;
   Vector3 point;
   return height(0, n, point) + height(1, -n, point) + (radius_[0] + radius_[1]) * length(n);
 }
@@ -189,11 +189,11 @@ double BodyFaces::overlap(const Vector3& normal) const {
 void BodyFaces::list_top(const Vector3& normal, double margin, std::vector<Vector3>& points) const {
   points.clear();
   if (!has_shapes_) return;
-  const Vector3 v = pair_.to_body(&normal.x);
+  const Vector3 v = pair_.frame().to_body(&normal.x);
   with_core(pair_.shape(0), [&](const auto& core) {
     core.face(v, margin + noise_, pair_.instruction_set(), [&](const Vector3& x) {
       Vector3 world;
-      pair_.point_to_world(x + v * radius_[0], &world.x);
+      pair_.frame().point_to_world(x + v * radius_[0], &world.x);
       if (dimension_ == 2) world.z = 0;
       points.push_back(world);
     });
@@ -202,7 +202,7 @@ void BodyFaces::list_top(const Vector3& normal, double margin, std::vector<Vecto
 
 bool BodyFaces::has_one_top(int i, const Vector3& normal, double tilt) const {
   if (!has_shapes_) return false;
-  const Vector3 v = pair_.to_body(&normal.x);
+  const Vector3 v = pair_.frame().to_body(&normal.x);
   return raygauge::has_one_top(pair_.shape(i), into(i, i == 0 ? v : -v), tilt, pair_.instruction_set());
 }
 
@@ -216,7 +216,7 @@ int BodyFaces::smooth_directions(int i, Vector3& direction) const {
       const Vector3 v = into(i, i == 0 ? normal_ : -normal_);
       const auto view = core.look(v, pair_.instruction_set());
       const Vector3 tangent = cross(shape.axis.column[0], view.across.w);
-      direction = i == 0 ? tangent : pair_.rotation() * tangent;
+      direction = i == 0 ? tangent : pair_.frame().R * tangent;
       return core.radius_of(view.index) > 0 && dot(tangent, tangent) > 0 ? 1 : 0;
     }
     return 0;

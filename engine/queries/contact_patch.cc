@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/object_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 
 namespace raygauge {

@@ -13,7 +13,7 @@ namespace raygauge {
 GrowthBody::GrowthBody(const ConvexSet& A, const TwofoldPoint& c_A, const ConvexSet& Q,
                        const TwofoldPoint& c_Q, bool c_Q_in_Q)
     : MinkowskiView(A.dimension()), c_A_(c_A.high), c_Q_(c_Q.high), c_Q_in_Q_(c_Q_in_Q) {
-  look_at(Q, A, -1.0, c_A, c_Q);
+  look_at({.S = &Q, .T = &A, .sign = -1.0, .a = c_A, .b = c_Q});
 }
 
 void GrowthBody::do_center(double* point) const { std::fill_n(point, dimension(), 0.0); }
@@ -26,10 +26,10 @@ double GrowthBody::do_inner_radius(const double* c) const {
     around.data()[k] = c_Q_[k] + c[k];
     size += std::fabs(c_Q_[k]) + std::fabs(c[k]) + std::fabs(c_A_[k]);
   }
-  const double radius_Q = first().inner_radius_unchecked(around.data());
+  const double radius_Q = sum().S->inner_radius_unchecked(around.data());
   const double of_view = MinkowskiView::do_inner_radius(c);
   if (!c_Q_in_Q_ && !(radius_Q > 0)) return of_view;
-  const double radius = second().inner_radius_unchecked(c_A_) + radius_Q;
+  const double radius = sum().T->inner_radius_unchecked(c_A_) + radius_Q;
   // c_A is a point of A and c_Q one of Q, up to their rounding: one ball is enough if c is 0.
   const bool at_center = std::all_of(c, c + n, [](double x) { return x == 0; });
   return at_center ? std::max(of_view, proven_length(radius, size + radius, n)) : of_view;

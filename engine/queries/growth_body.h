@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {
@@ -16,8 +16,6 @@ namespace raygauge {
 ///     h(u) = h_Q(u) - u·c_Q + h_A(-u) + u·c_A,      s(u) = s_Q(u) - c_Q - s_A(-u) + c_A,      centre 0.
 class GrowthBody final : public MinkowskiView {
  public:
-  using MinkowskiView::TwofoldPoint;
-
   /// The sets must outlive the object, and so must the numbers of c_A and c_Q, points of theirs. `c_Q_in_Q`
   /// says whether c_Q is known to be a point of Q: the origin need not be.
   GrowthBody(const ConvexSet& A, const TwofoldPoint& c_A, const ConvexSet& Q, const TwofoldPoint& c_Q,
@@ -39,7 +37,7 @@ class PosedCenter {
   void assign(const Posed& S);
   void assign_origin(int n);
 
-  GrowthBody::TwofoldPoint point() const noexcept { return {high_.data(), low_.data()}; }
+  TwofoldPoint point() const noexcept { return {high_.data(), low_.data()}; }
 
  private:
   std::vector<double> high_, low_, local_;
@@ -49,7 +47,7 @@ class PosedCenter {
 /// that in doubles, and quadruple precision holds it.
 class PointView final : public ConvexSet, private SmoothSupport {
  public:
-  using Point = GrowthBody::TwofoldPoint;
+  using Point = TwofoldPoint;
   PointView(const Point& p, int n, const Point& from = {}) : ConvexSet(n), p_(p), from_(from) {}
 
  private:

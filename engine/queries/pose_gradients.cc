@@ -69,7 +69,7 @@ bool PoseGradients::is_rounded() const {
 
 // Of a body that has one point only across n, outward of the first body, in whose frame it is: its number.
 int PoseGradients::top_of(const Vector3& n) const {
-  const Vector3 v[2] = {n, pair_->rotation().transposed_times(-n)};
+  const Vector3 v[2] = {n, pair_->frame().R.transposed_times(-n)};
   for (int i = 0; i < 2; ++i)
     if (towers(pair_->shape(i), v[i], kTilt)) return i;
   for (int i = 0; i < 2; ++i)
@@ -80,7 +80,7 @@ int PoseGradients::top_of(const Vector3& n) const {
 // Whether a body has one point only in contact: then there is one pair of points.
 bool PoseGradients::has_one_top(const Vector3& normal) const {
   if (pair_ == nullptr) return false;
-  const Vector3 n = pair_->to_body(&normal.x);
+  const Vector3 n = pair_->frame().to_body(&normal.x);
   return top_of(n) >= 0;
 }
 
@@ -106,17 +106,17 @@ bool PoseGradients::find_single_contact(const Vector3& normal, double sigma, con
   const SpatialShape &one = pair_->shape(0), &two = pair_->shape(1);
   const bool round = one.radius > 0 || two.radius > 0 || is_smooth(one) || is_smooth(two);
   if (!round && !leads_through(portal)) return false;
-  const Vector3 n = pair_->to_body(&normal.x);
+  const Vector3 n = pair_->frame().to_body(&normal.x);
   const int i = top_of(n);
   if (i < 0) return false;
   const SpatialShape& shape = pair_->shape(i);
-  const Vector3 v = i == 0 ? n : pair_->rotation().transposed_times(-n);
+  const Vector3 v = i == 0 ? n : pair_->frame().R.transposed_times(-n);
   const Vector3 top = with_core(shape, [&](const auto& core) {
     const auto view = core.look(v, isa_);
     return view.point(view.index);
   });
   const Vector3 scaled = shape.center + (top + v * shape.radius - shape.center) * sigma;
-  pair_->point_to_world(i == 0 ? scaled : pair_->from_second(scaled), &x.x);
+  pair_->frame().point_to_world(i == 0 ? scaled : pair_->frame().from_second(scaled), &x.x);
   return true;
 }
 

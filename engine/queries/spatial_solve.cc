@@ -60,7 +60,7 @@ void SpatialSolve::begin_with_normal(const PairStart* warm) {
   if (warm == nullptr) return;
   const double* normal = recorded_normal(*warm, pair_.dimension());
   if (normal == nullptr) return;
-  record_.start.normal = -pair_.to_body(normal);
+  record_.start.normal = -pair_.frame().to_body(normal);
   const double square = dot(record_.start.normal, record_.start.normal);
   record_.start.has_normal = square > kLeastSquare && square < 1 / kLeastSquare;
 }
@@ -91,8 +91,8 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
     a1 = a1 + way * (pair_.shape(0).radius / size);
     a2 = a2 - way * (pair_.shape(1).radius / size);
   }
-  pair_.point_to_world(a1, point_1);
-  pair_.point_to_world(a2, point_2);
+  pair_.frame().point_to_world(a1, point_1);
+  pair_.frame().point_to_world(a2, point_2);
 }
 
 // Near hulls of many points: the facet of their difference between the centres is found by fewer support
@@ -158,7 +158,7 @@ inline void SpatialSolve::turn_normal() {
   const double square = dot(answer.normal, answer.normal);
   const bool is_unit = std::fabs(square - 1) <= kUnitSquare;  // nearly always: no root to wait for
   const Vector3 normal = answer.normal * (is_unit ? -1.0 : -1 / std::sqrt(square));
-  pair_.normal_to_world(normal, answer.bounds.lower() < kClose * pair_.size(), record_.normal);
+  pair_.frame().normal_to_world(normal, answer.bounds.lower() < kClose * pair_.size(), record_.normal);
 }
 
 bool SpatialSolve::distance(double tolerance, PairStart* warm) {
@@ -214,13 +214,14 @@ bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold,
   if (warm == nullptr) return true;
   record(warm);
   if (record_.answer.bounds.lower() > 0)
-    pair_.normal_to_world(-record_.answer.normal, false, warm->normal.data());
+    pair_.frame().normal_to_world(-record_.answer.normal, false, warm->normal.data());
   return true;
 }
 
 void SpatialSolve::growth_normal(double* normal) const {
   const double along = dot(record_.answer.normal, pair_.between_centers());
-  pair_.normal_to_world(record_.answer.normal * (-record_.answer.bounds.lower() / along), false, normal);
+  pair_.frame().normal_to_world(record_.answer.normal * (-record_.answer.bounds.lower() / along), false,
+                                normal);
 }
 
 }  // namespace raygauge

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/methods/spatial/spatial_distance.h"
-#include "raygauge/methods/warm_start.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,27 @@ bool is_singular(Eigen::MatrixXd M) {
   return !is_invertible(M);
 }
 
+// M and t, with `exchanges_axes` and `reverses_axes` from the entries of M.
+LinearMap make_map(const double* M, const double* t, int n) noexcept {
+  LinearMap map;
+  map.n = n;
+  map.M = M;
+  map.t = t;
+  map.exchanges_axes = map.reverses_axes = true;
+  for (int i = 0; i < n; ++i) {
+    int in_row = 0, in_column = 0;
+    for (int j = 0; j < n; ++j) {
+      const double entry = M[std::ptrdiff_t{i} * n + j];
+      in_row += M[std::ptrdiff_t{j} * n + i] != 0 ? 1 : 0;
+      in_column += entry != 0 ? 1 : 0;
+      map.reverses_axes = map.reverses_axes && (entry == 0 || std::fabs(entry) == 1);
+    }
+    map.exchanges_axes = map.exchanges_axes && in_row == 1 && in_column == 1;
+  }
+  map.reverses_axes = map.reverses_axes && map.exchanges_axes;
+  return map;
+}
+
 }  // namespace
 
 AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<const Eigen::MatrixXd>& M,
@@ -43,7 +65,7 @@ AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<co
   check_finite_matrix("affine image", "M", M_);
   if (is_singular(M_)) throw InvalidParameterError("affine image: M must be invertible, but it is singular");
   inverse_ = std::make_shared<const BoundedInverse>(M_);
-  Map map = make_map(M_.data(), t_.data(), dimension());
+  LinearMap map = make_map(M_.data(), t_.data(), dimension());
   map.inverse = inverse_.get();
   look_at(*S_, map);
 }

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/cylinder.h"
+#include "raygauge/sets/truncated_cone.h"
 
 #include "engine/sets/parameters.h"
 

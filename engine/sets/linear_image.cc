@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,122 +22,127 @@ constexpr double kTwofold = 0x1p-90;
 constexpr double kRoundedUp = 1 + 0x1p-50;
 constexpr double kRoundedDown = 1 - 0x1p-50;
 
-}  // namespace
-
-LinearImage::Map LinearImage::make_map(const double* M, const double* t, int n) noexcept {
-  Map map;
-  map.M = M;
-  map.t = t;
-  map.exchanges_axes = map.reverses_axes = true;
-  for (int i = 0; i < n; ++i) {
-    int in_row = 0, in_column = 0;
-    for (int j = 0; j < n; ++j) {
-      const double entry = M[std::ptrdiff_t{i} * n + j];
-      in_row += M[std::ptrdiff_t{j} * n + i] != 0 ? 1 : 0;
-      in_column += entry != 0 ? 1 : 0;
-      map.reverses_axes = map.reverses_axes && (entry == 0 || std::fabs(entry) == 1);
-    }
-    map.exchanges_axes = map.exchanges_axes && in_row == 1 && in_column == 1;
-  }
-  map.reverses_axes = map.reverses_axes && map.exchanges_axes;
-  return map;
-}
-
 // M x, where x has its entries `stride` numbers apart.
 template <class Real>
-void LinearImage::map_linearly(const Real* x, int stride, Real* image) const noexcept {
-  const int n = dimension();
+void map_linearly(const LinearMap& map, const Real* x, int stride, Real* image) noexcept {
+  const int n = map.n;
   std::fill_n(image, n, Real{0});
   for (int j = 0; j < n; ++j) {
-    const double* column = map_.M + std::ptrdiff_t{j} * n;
+    const double* column = map.M + std::ptrdiff_t{j} * n;
     for (int k = 0; k < n; ++k) image[k] += x[std::ptrdiff_t{j} * stride] * column[k];
   }
 }
 
 // Mᵀu.
 template <class Real>
-void LinearImage::map_back(const Real* u, Real* inner) const noexcept {
-  const int n = dimension();
-  for (int j = 0; j < n; ++j) inner[j] = dot(u, map_.M + std::ptrdiff_t{j} * n, n);
+void map_back(const LinearMap& map, const Real* u, Real* inner) noexcept {
+  const int n = map.n;
+  for (int j = 0; j < n; ++j) inner[j] = dot(u, map.M + std::ptrdiff_t{j} * n, n);
 }
 
-void LinearImage::map(const double* x, double* image) const noexcept {
-  map_linearly(x, 1, image);
-  for (int k = 0; k < dimension(); ++k) image[k] += map_.t[k];
+void apply(const LinearMap& map, const double* x, double* image) noexcept {
+  map_linearly(map, x, 1, image);
+  for (int k = 0; k < map.n; ++k) image[k] += map.t[k];
 }
 
-bool LinearImage::is_translated() const noexcept {
-  return !std::all_of(map_.t, map_.t + dimension(), [](double t_k) { return t_k == 0; });
+bool is_translated(const LinearMap& map) noexcept {
+  return !std::all_of(map.t, map.t + map.n, [](double t_k) { return t_k == 0; });
 }
 
-bool LinearImage::has_inverse() const noexcept {
-  return map_.inverse == nullptr || map_.inverse->inverse().size() > 0;
+bool has_inverse(const LinearMap& map) noexcept {
+  return map.inverse == nullptr || map.inverse->inverse().size() > 0;
 }
 
 // A lower bound on min |M z|/|z|.
-double LinearImage::least_stretch() const noexcept {
-  return map_.inverse != nullptr ? map_.inverse->least_stretch() : (1 - map_.defect) * kRoundedDown;
+double least_stretch(const LinearMap& map) noexcept {
+  return map.inverse != nullptr ? map.inverse->least_stretch() : (1 - map.defect) * kRoundedDown;
 }
 
 // M⁻¹ image, to the precision of the approximate inverse.
 template <class Real>
-void LinearImage::divide(const Real* image, Real* x) const noexcept {
-  const int n = dimension();
-  if (map_.inverse == nullptr) {
-    map_back(image, x);
+void divide(const LinearMap& map, const Real* image, Real* x) noexcept {
+  const int n = map.n;
+  if (map.inverse == nullptr) {
+    map_back(map, image, x);
     return;
   }
   std::fill_n(x, n, Real{0});
   for (int k = 0; k < n; ++k) {
-    const double* column = map_.inverse->inverse().col(k).data();
+    const double* column = map.inverse->inverse().col(k).data();
     for (int i = 0; i < n; ++i) x[i] += image[k] * column[i];
   }
 }
 
 // M⁻¹ image, refined once: the error of the approximate inverse is squared.
 template <class Real>
-void LinearImage::find_preimage(const Real* image, Real* x) const noexcept {
-  const int n = dimension();
+void find_preimage(const LinearMap& map, const Real* image, Real* x) noexcept {
+  const int n = map.n;
   BasicScratch<Real> rest(n), correction(n);
-  divide(image, x);
-  map_linearly(x, 1, rest.data());
+  divide(map, image, x);
+  map_linearly(map, x, 1, rest.data());
   for (int k = 0; k < n; ++k) rest.data()[k] = image[k] - rest.data()[k];
-  divide(rest.data(), correction.data());
+  divide(map, rest.data(), correction.data());
   for (int k = 0; k < n; ++k) x[k] += correction.data()[k];
 }
 
 // M⁻ᵀ inner, the normal of the image where S has the normal `inner`; refined likewise.
 template <class Real>
-void LinearImage::map_normal(const Real* inner, Real* normal) const noexcept {
-  const int n = dimension();
+void map_normal(const LinearMap& map, const Real* inner, Real* normal) noexcept {
+  const int n = map.n;
   const auto divide_transposed = [&](const Real* v, Real* w) {
-    if (map_.inverse == nullptr) {
-      map_linearly(v, 1, w);
+    if (map.inverse == nullptr) {
+      map_linearly(map, v, 1, w);
     } else {
-      for (int k = 0; k < n; ++k) w[k] = dot(v, map_.inverse->inverse().col(k).data(), n);
+      for (int k = 0; k < n; ++k) w[k] = dot(v, map.inverse->inverse().col(k).data(), n);
     }
   };
   BasicScratch<Real> rest(n), correction(n);
   divide_transposed(inner, normal);
-  map_back(normal, rest.data());
+  map_back(map, normal, rest.data());
   for (int k = 0; k < n; ++k) rest.data()[k] = inner[k] - rest.data()[k];
   divide_transposed(rest.data(), correction.data());
   for (int k = 0; k < n; ++k) normal[k] += correction.data()[k];
 }
 
+// An upper bound on |M⁻¹(image - t) - x| = |M⁻¹r|, r = image - t - M x in double-double arithmetic.
+double preimage_error(const LinearMap& map, const double* image, const double* x) {
+  const int n = map.n;
+  if (map.reverses_axes && !is_translated(map)) return 0;
+  Scratch residual(n), zero(n);
+  double rounding = kUnderflow;
+  for (int k = 0; k < n; ++k) {
+    DoubleDouble r = two_sum(image[k], -map.t[k]);
+    double size = std::fabs(image[k]) + std::fabs(map.t[k]);
+    for (int j = 0; j < n; ++j) {
+      const double M_kj = map.M[std::ptrdiff_t{j} * n + k];
+      r = r - two_product(M_kj, x[j]);
+      size += std::fabs(M_kj * x[j]);
+    }
+    residual.data()[k] = r.rounded();
+    zero.data()[k] = 0;
+    rounding += std::fabs(residual.data()[k]) * 0x1p-52 + n * kTwofold * size;
+  }
+  const double of_residual = map.inverse != nullptr
+                                 ? map.inverse->image_length(residual.data(), zero.data())
+                                 : length(residual.data(), n) * (1 + 2 * map.defect) * kRoundedUp;
+  return (of_residual + rounding / least_stretch(map)) * kRoundedUp;
+}
+
+}  // namespace
+
 double LinearImage::do_support(const double* u, double* point) const {
   const int n = dimension();
   Scratch direction(n), x(n);
-  map_back(u, direction.data());
+  map_back(map_, u, direction.data());
   const double value = S_->support_unchecked(direction.data(), x.data());
-  map(x.data(), point);
+  apply(map_, x.data(), point);
   return value + dot(u, map_.t, n);
 }
 
 void LinearImage::do_center(double* point) const {
   Scratch x(dimension());
   S_->center_unchecked(x.data());
-  map(x.data(), point);
+  apply(map_, x.data(), point);
 }
 
 // Twice: the products with M lose as much again as S does.
@@ -153,39 +158,15 @@ void LinearImage::do_magnitude(double* magnitude) const {
   }
 }
 
-// An upper bound on |M⁻¹(image - t) - x| = |M⁻¹r|, r = image - t - M x in double-double arithmetic.
-double LinearImage::preimage_error(const double* image, const double* x) const {
-  const int n = dimension();
-  if (map_.reverses_axes && !is_translated()) return 0;
-  Scratch residual(n), zero(n);
-  double rounding = kUnderflow;
-  for (int k = 0; k < n; ++k) {
-    DoubleDouble r = two_sum(image[k], -map_.t[k]);
-    double size = std::fabs(image[k]) + std::fabs(map_.t[k]);
-    for (int j = 0; j < n; ++j) {
-      const double M_kj = map_.M[std::ptrdiff_t{j} * n + k];
-      r = r - two_product(M_kj, x[j]);
-      size += std::fabs(M_kj * x[j]);
-    }
-    residual.data()[k] = r.rounded();
-    zero.data()[k] = 0;
-    rounding += std::fabs(residual.data()[k]) * 0x1p-52 + n * kTwofold * size;
-  }
-  const double of_residual = map_.inverse != nullptr
-                                 ? map_.inverse->image_length(residual.data(), zero.data())
-                                 : length(residual.data(), n) * (1 + 2 * map_.defect) * kRoundedUp;
-  return (of_residual + rounding / least_stretch()) * kRoundedUp;
-}
-
 // The ball around the preimage of c is the ball around x less their distance.
 double LinearImage::do_inner_radius(const double* c) const {
   const int n = dimension();
-  if (!has_inverse()) return 0;
+  if (!has_inverse(map_)) return 0;
   Scratch shifted(n), x(n);
   for (int k = 0; k < n; ++k) shifted.data()[k] = c[k] - map_.t[k];
-  divide(shifted.data(), x.data());
-  const double radius = S_->inner_radius_unchecked(x.data()) - preimage_error(c, x.data());
-  return radius > 0 ? radius * least_stretch() * kRoundedDown : 0.0;
+  divide(map_, shifted.data(), x.data());
+  const double radius = S_->inner_radius_unchecked(x.data()) - preimage_error(map_, c, x.data());
+  return radius > 0 ? radius * least_stretch(map_) * kRoundedDown : 0.0;
 }
 
 const SmoothSupport* LinearImage::do_smooth() const noexcept {
@@ -193,11 +174,11 @@ const SmoothSupport* LinearImage::do_smooth() const noexcept {
 }
 
 const FlatFaces* LinearImage::do_flat_faces() const noexcept {
-  return S_->flat_faces() != nullptr && has_inverse() ? this : nullptr;
+  return S_->flat_faces() != nullptr && has_inverse(map_) ? this : nullptr;
 }
 
 const GaugeFormula* LinearImage::do_gauge_formula() const noexcept {
-  return S_->gauge() != nullptr && has_inverse() && !is_translated() ? this : nullptr;
+  return S_->gauge() != nullptr && has_inverse(map_) && !is_translated(map_) ? this : nullptr;
 }
 
 const CoordinateSymmetry* LinearImage::do_symmetry() const noexcept {
@@ -209,22 +190,22 @@ void LinearImage::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, i
   const int n = dimension();
   BasicScratch<Real> direction(n), column(n);
   Real* v = column.data();
-  map_back(u, direction.data());
+  map_back(map_, u, direction.data());
   // A Hessian that is graded along S's axes is not along others.
   pieces.graded = pieces.graded && map_.exchanges_axes;
   support_pieces(*S_, direction.data(), pieces, SupportPieces::kCapacity - capacity);
   const Real shift = dot(u, map_.t, n);
   for (int i = 0; i < pieces.count; ++i) {
     pieces.value[static_cast<std::size_t>(i)] += shift;
-    map_linearly(pieces.point(i), 1, v);
+    map_linearly(map_, pieces.point(i), 1, v);
     for (int k = 0; k < n; ++k) pieces.point(i)[k] = v[k] + map_.t[k];
     Real* H = pieces.hessian(i);  // becomes M H Mᵀ: columns first, then rows
     for (int j = 0; j < n; ++j) {
-      map_linearly(H + std::ptrdiff_t{j} * n, 1, v);
+      map_linearly(map_, H + std::ptrdiff_t{j} * n, 1, v);
       std::copy_n(v, n, H + std::ptrdiff_t{j} * n);
     }
     for (int j = 0; j < n; ++j) {
-      map_linearly(H + j, n, v);
+      map_linearly(map_, H + j, n, v);
       for (int k = 0; k < n; ++k) H[std::ptrdiff_t{k} * n + j] = v[k];
     }
   }
@@ -243,10 +224,10 @@ template <class Real>
 bool LinearImage::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
   const int n = dimension();
   BasicScratch<Real> from(n), to(n), inner(n);
-  map_back(u, from.data());
-  map_back(v, to.data());
+  map_back(map_, u, from.data());
+  map_back(map_, v, to.data());
   if (!facet_normal(*S_, from.data(), to.data(), inner.data())) return false;
-  map_normal(inner.data(), normal);
+  map_normal(map_, inner.data(), normal);
   return true;
 }
 
@@ -255,11 +236,11 @@ template <class Real>
 void LinearImage::find_facet_point(const Real* normal, const Real* target, Real* point) const {
   const int n = dimension();
   BasicScratch<Real> inner_normal(n), shifted(n), inner(n);
-  map_back(normal, inner_normal.data());
+  map_back(map_, normal, inner_normal.data());
   for (int k = 0; k < n; ++k) shifted.data()[k] = target[k] - map_.t[k];
-  find_preimage(shifted.data(), inner.data());
+  find_preimage(map_, shifted.data(), inner.data());
   S_->flat_faces()->point(inner_normal.data(), inner.data(), shifted.data());
-  map_linearly(shifted.data(), 1, point);
+  map_linearly(map_, shifted.data(), 1, point);
   for (int k = 0; k < n; ++k) point[k] += map_.t[k];
 }
 
@@ -283,11 +264,11 @@ void LinearImage::do_quad_facet_point(const Quad* normal, const Quad* target, Qu
 double LinearImage::do_gauge(const double* x, double* normal) const {
   const int n = dimension();
   Scratch inner(n), inner_normal(n);
-  divide(x, inner.data());
+  divide(map_, x, inner.data());
   const double gauge = S_->gauge()->bound(inner.data(), inner_normal.data());
   if (!(gauge < kInfinity)) return kInfinity;
-  map_normal(inner_normal.data(), normal);
-  const double astray = preimage_error(x, inner.data());
+  map_normal(map_, inner_normal.data(), normal);
+  const double astray = preimage_error(map_, x, inner.data());
   if (astray == 0) return gauge;
   std::fill_n(inner_normal.data(), n, 0.0);
   const double radius = S_->inner_radius_unchecked(inner_normal.data());
@@ -297,9 +278,9 @@ double LinearImage::do_gauge(const double* x, double* normal) const {
 
 bool LinearImage::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   BasicScratch<Quad> inner(dimension()), inner_normal(dimension());
-  find_preimage(x, inner.data());
+  find_preimage(map_, x, inner.data());
   if (!S_->gauge()->normal(inner.data(), inner_normal.data())) return false;
-  map_normal(inner_normal.data(), normal);
+  map_normal(map_, inner_normal.data(), normal);
   return true;
 }
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 #include <utility>
 
@@ -15,7 +15,7 @@ MinkowskiDifference::MinkowskiDifference(std::shared_ptr<const ConvexSet> A2,
       A1_(std::move(A1)) {
   check_dimension("Minkowski difference", "A1", checked_set("Minkowski difference", "A1", A1_)->dimension(),
                   dimension());
-  look_at(*A2_, *A1_, -1.0);
+  look_at({.S = A2_.get(), .T = A1_.get(), .sign = -1.0});
 }
 
 }  // namespace raygauge

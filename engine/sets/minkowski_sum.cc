@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace raygauge {
 MinkowskiSum::MinkowskiSum(std::shared_ptr<const ConvexSet> A, std::shared_ptr<const ConvexSet> B)
     : MinkowskiView(checked_set("Minkowski sum", "A", A)->dimension()), A_(std::move(A)), B_(std::move(B)) {
   check_dimension("Minkowski sum", "B", checked_set("Minkowski sum", "B", B_)->dimension(), dimension());
-  look_at(*A_, *B_, 1.0);
+  look_at({.S = A_.get(), .T = B_.get()});
 }
 
 }  // namespace raygauge

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,32 +79,75 @@ bool find_face_point(const ConvexSet& S, const Real* u, Real value, const Real* 
   return true;
 }
 
-}  // namespace
+// Coordinate k of a - b.
+template <class Real = double>
+Real shift(const ShiftedSum& sum, int k) noexcept {
+  if (sum.a.high == nullptr) return Real{0};
+  const Real low_a = sum.a.low != nullptr ? sum.a.low[k] : 0.0;
+  const Real low_b = sum.b.low != nullptr ? sum.b.low[k] : 0.0;
+  return (Real{sum.a.high[k]} - sum.b.high[k]) + (low_a - low_b);
+}
 
-bool MinkowskiView::is_shifted() const noexcept {
-  for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-    if (shift(k) != 0) return true;
+bool is_shifted(const ShiftedSum& sum) noexcept {
+  for (int k = 0; sum.a.high != nullptr && k < sum.S->dimension(); ++k) {
+    if (shift(sum, k) != 0) return true;
   }
   return false;
 }
 
-bool MinkowskiView::is_shifted_by_doubles() const noexcept {
-  const auto is_zero = [this](const double* low) {
-    return low == nullptr || std::all_of(low, low + dimension(), [](double x) { return x == 0; });
+bool is_shifted_by_doubles(const ShiftedSum& sum) noexcept {
+  const auto is_zero = [&sum](const double* low) {
+    return low == nullptr || std::all_of(low, low + sum.S->dimension(), [](double x) { return x == 0; });
   };
-  return is_zero(a_low_) && is_zero(b_low_);
+  return is_zero(sum.a.low) && is_zero(sum.b.low);
 }
 
-// Whether this is S, because T and the shift are the origin.
-bool MinkowskiView::is_first_alone() const {
-  if (!is_shifted_by_doubles()) return false;
-  return sign_ > 0 ? is_point_moved_to_origin(*T_, a_, b_) : is_point_moved_to_origin(*T_, b_, a_);
+// Whether the sum is S, because T and the shift are the origin.
+bool is_first_alone(const ShiftedSum& sum) {
+  if (!is_shifted_by_doubles(sum)) return false;
+  return sum.sign > 0 ? is_point_moved_to_origin(*sum.T, sum.a.high, sum.b.high)
+                      : is_point_moved_to_origin(*sum.T, sum.b.high, sum.a.high);
 }
 
-// Whether this is ±T likewise.
-bool MinkowskiView::is_second_alone() const {
-  return is_shifted_by_doubles() && is_point_moved_to_origin(*S_, a_, b_);
+// Whether it is ±T likewise.
+bool is_second_alone(const ShiftedSum& sum) {
+  return is_shifted_by_doubles(sum) && is_point_moved_to_origin(*sum.S, sum.a.high, sum.b.high);
 }
+
+// The gauge of ±T at x, that of T at ±x.
+template <class Ask, class Real>
+auto ask_second(const ShiftedSum& sum, const Ask& ask, const Real* x, Real* normal) {
+  const int n = sum.T->dimension();
+  BasicScratch<Real> turned(n);
+  for (int k = 0; k < n; ++k) turned.data()[k] = sum.sign * x[k];
+  const auto answer = ask(*sum.T, turned.data(), normal);
+  for (int k = 0; k < n; ++k) normal[k] *= sum.sign;
+  return answer;
+}
+
+// The sum of the unit normals: the common one where S and T are homothetic.
+template <class Real>
+void add_normals(int n, Real* normal, Real* of_T) {
+  normalize(normal, n, normal);
+  normalize(of_T, n, of_T);
+  for (int k = 0; k < n; ++k) normal[k] += of_T[k];
+}
+
+template <class Real>
+bool find_facet_normal(const ShiftedSum& sum, const Real* u, const Real* v, Real* normal) {
+  const int n = sum.S->dimension();
+  if (facet_normal(*sum.S, u, v, normal)) return true;
+  BasicScratch<Real> from(n), to(n);
+  for (int k = 0; k < n; ++k) {
+    from.data()[k] = sum.sign * u[k];
+    to.data()[k] = sum.sign * v[k];
+  }
+  if (!facet_normal(*sum.T, from.data(), to.data(), normal)) return false;
+  for (int k = 0; k < n; ++k) normal[k] *= sum.sign;
+  return true;
+}
+
+}  // namespace
 
 double MinkowskiView::do_support(const double* u, double* point) const {
   Scratch of_T(dimension());
@@ -112,23 +155,23 @@ double MinkowskiView::do_support(const double* u, double* point) const {
 }
 
 double MinkowskiView::support_with_part(const double* u, double* point, double* of_T) const {
-  double value = sum_support(*S_, *T_, sign_, u, point, of_T);
-  for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-    value += u[k] * shift(k);
-    point[k] += shift(k);
+  double value = sum_support(*sum_.S, *sum_.T, sum_.sign, u, point, of_T);
+  for (int k = 0; sum_.a.high != nullptr && k < dimension(); ++k) {
+    value += u[k] * shift(sum_, k);
+    point[k] += shift(sum_, k);
   }
   return value;
 }
 
 void MinkowskiView::do_center(double* point) const {
-  sum_center(*S_, *T_, sign_, point);
-  for (int k = 0; a_ != nullptr && k < dimension(); ++k) point[k] += shift(k);
+  sum_center(*sum_.S, *sum_.T, sum_.sign, point);
+  for (int k = 0; sum_.a.high != nullptr && k < dimension(); ++k) point[k] += shift(sum_, k);
 }
 
 void MinkowskiView::do_magnitude(double* magnitude) const {
-  sum_magnitude(*S_, *T_, magnitude);
-  for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-    magnitude[k] += 2 * (std::fabs(a_[k]) + std::fabs(b_[k]));
+  sum_magnitude(*sum_.S, *sum_.T, magnitude);
+  for (int k = 0; sum_.a.high != nullptr && k < dimension(); ++k) {
+    magnitude[k] += 2 * (std::fabs(sum_.a.high[k]) + std::fabs(sum_.b.high[k]));
   }
 }
 
@@ -136,51 +179,51 @@ void MinkowskiView::do_magnitude(double* magnitude) const {
 // other.
 double MinkowskiView::do_inner_radius(const double* c) const {
   const int n = dimension();
-  if (is_first_alone()) return S_->inner_radius_unchecked(c);
+  if (is_first_alone(sum_)) return sum_.S->inner_radius_unchecked(c);
   Scratch moved(n), of_S(n), of_T(n), rest(n);
-  for (int k = 0; k < n; ++k) moved.data()[k] = c[k] - shift(k);
-  S_->center_unchecked(of_S.data());
-  T_->center_unchecked(of_T.data());
+  for (int k = 0; k < n; ++k) moved.data()[k] = c[k] - shift(sum_, k);
+  sum_.S->center_unchecked(of_S.data());
+  sum_.T->center_unchecked(of_T.data());
   double size = 0;
   for (int k = 0; k < n; ++k) {
-    rest.data()[k] = sign_ * (moved.data()[k] - of_S.data()[k]);
+    rest.data()[k] = sum_.sign * (moved.data()[k] - of_S.data()[k]);
     size += std::fabs(c[k]) + std::fabs(of_S.data()[k]) + std::fabs(of_T.data()[k]);
-    if (a_ != nullptr) size += std::fabs(a_[k]) + std::fabs(b_[k]);
+    if (sum_.a.high != nullptr) size += std::fabs(sum_.a.high[k]) + std::fabs(sum_.b.high[k]);
   }
-  const double around_center = S_->inner_radius_unchecked(of_S.data());
-  const double around_rest = T_->inner_radius_unchecked(rest.data());
-  for (int k = 0; k < n; ++k) rest.data()[k] = moved.data()[k] - sign_ * of_T.data()[k];
-  const double of_first = S_->inner_radius_unchecked(rest.data());
+  const double around_center = sum_.S->inner_radius_unchecked(of_S.data());
+  const double around_rest = sum_.T->inner_radius_unchecked(rest.data());
+  for (int k = 0; k < n; ++k) rest.data()[k] = moved.data()[k] - sum_.sign * of_T.data()[k];
+  const double of_first = sum_.S->inner_radius_unchecked(rest.data());
   const double both = around_center > 0 && around_rest > 0 ? around_center + around_rest : 0.0;
   const double radius = std::max({both, around_rest, of_first});
   return radius > 0 ? proven_length(radius, radius + size, n) : 0.0;
 }
 
 const SmoothSupport* MinkowskiView::do_smooth() const noexcept {
-  return S_->smooth() != nullptr && T_->smooth() != nullptr ? this : nullptr;
+  return sum_.S->smooth() != nullptr && sum_.T->smooth() != nullptr ? this : nullptr;
 }
 
 const FlatFaces* MinkowskiView::do_flat_faces() const noexcept {
-  return S_->flat_faces() != nullptr || T_->flat_faces() != nullptr ? this : nullptr;
+  return sum_.S->flat_faces() != nullptr || sum_.T->flat_faces() != nullptr ? this : nullptr;
 }
 
 const GaugeFormula* MinkowskiView::do_gauge_formula() const noexcept {
-  const bool first = S_->gauge() != nullptr, second = T_->gauge() != nullptr;
-  if (first && second && !is_shifted()) return this;
-  return (first && is_first_alone()) || (second && is_second_alone()) ? this : nullptr;
+  const bool first = sum_.S->gauge() != nullptr, second = sum_.T->gauge() != nullptr;
+  if (first && second && !is_shifted(sum_)) return this;
+  return (first && is_first_alone(sum_)) || (second && is_second_alone(sum_)) ? this : nullptr;
 }
 
 const CoordinateSymmetry* MinkowskiView::do_symmetry() const noexcept {
-  return S_->symmetry() != nullptr || T_->symmetry() != nullptr ? this : nullptr;
+  return sum_.S->symmetry() != nullptr || sum_.T->symmetry() != nullptr ? this : nullptr;
 }
 
 template <class Real>
 int MinkowskiView::pieces_with_parts(const Real* u, BasicSupportPieces<Real>& pieces, int capacity,
                                      Real* of_T) const {
-  const int count = sum_pieces(*S_, *T_, sign_, u, pieces, capacity, of_T);
+  const int count = sum_pieces(*sum_.S, *sum_.T, sum_.sign, u, pieces, capacity, of_T);
   for (int i = 0; i < pieces.count; ++i) {
-    for (int k = 0; a_ != nullptr && k < dimension(); ++k) {
-      const Real moved = shift<Real>(k);
+    for (int k = 0; sum_.a.high != nullptr && k < dimension(); ++k) {
+      const Real moved = shift<Real>(sum_, k);
       pieces.value[static_cast<std::size_t>(i)] += u[k] * moved;
       pieces.point(i)[k] += moved;
     }
@@ -199,20 +242,6 @@ void MinkowskiView::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int
   pieces_with_parts<Quad>(u, pieces, capacity, nullptr);
 }
 
-template <class Real>
-bool MinkowskiView::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
-  const int n = dimension();
-  if (facet_normal(*S_, u, v, normal)) return true;
-  BasicScratch<Real> from(n), to(n);
-  for (int k = 0; k < n; ++k) {
-    from.data()[k] = sign_ * u[k];
-    to.data()[k] = sign_ * v[k];
-  }
-  if (!facet_normal(*T_, from.data(), to.data(), normal)) return false;
-  for (int k = 0; k < n; ++k) normal[k] *= sign_;
-  return true;
-}
-
 // s + t with s on the face of S and t on that of T, each as near to what the other leaves as can be; a set
 // that is not flat there has one point.
 template <class Real>
@@ -220,17 +249,18 @@ bool MinkowskiView::facet_point_with_part(const Real* normal, const Real* target
                                           Real* of_T) const {
   const int n = dimension();
   BasicScratch<Real> u(n), s(n), rest(n);
-  for (int k = 0; k < n; ++k) u.data()[k] = sign_ * normal[k];
+  for (int k = 0; k < n; ++k) u.data()[k] = sum_.sign * normal[k];
   Real h_S = 0, h_T = 0;
-  if (!find_support(*S_, normal, s.data(), h_S) || !find_support(*T_, u.data(), of_T, h_T)) return false;
-  const auto moved = [this](int k) { return shift<Real>(k); };
+  if (!find_support(*sum_.S, normal, s.data(), h_S) || !find_support(*sum_.T, u.data(), of_T, h_T))
+    return false;
+  const auto moved = [this](int k) { return shift<Real>(sum_, k); };
   for (int round = 0; round < kRounds; ++round) {
-    for (int k = 0; k < n; ++k) rest.data()[k] = target[k] - moved(k) - sign_ * of_T[k];
-    const bool flat_S = find_face_point(*S_, normal, h_S, rest.data(), s.data());
-    for (int k = 0; k < n; ++k) rest.data()[k] = sign_ * (target[k] - moved(k) - s.data()[k]);
-    if (!find_face_point(*T_, u.data(), h_T, rest.data(), of_T) || !flat_S) break;
+    for (int k = 0; k < n; ++k) rest.data()[k] = target[k] - moved(k) - sum_.sign * of_T[k];
+    const bool flat_S = find_face_point(*sum_.S, normal, h_S, rest.data(), s.data());
+    for (int k = 0; k < n; ++k) rest.data()[k] = sum_.sign * (target[k] - moved(k) - s.data()[k]);
+    if (!find_face_point(*sum_.T, u.data(), h_T, rest.data(), of_T) || !flat_S) break;
   }
-  for (int k = 0; k < n; ++k) point[k] = s.data()[k] + sign_ * of_T[k] + moved(k);
+  for (int k = 0; k < n; ++k) point[k] = s.data()[k] + sum_.sign * of_T[k] + moved(k);
   return true;
 }
 
@@ -238,11 +268,11 @@ template bool MinkowskiView::facet_point_with_part(const double*, const double*,
 template bool MinkowskiView::facet_point_with_part(const Quad*, const Quad*, Quad*, Quad*) const;
 
 bool MinkowskiView::do_facet_normal(const double* u, const double* v, double* normal) const {
-  return find_facet_normal(u, v, normal);
+  return find_facet_normal(sum_, u, v, normal);
 }
 
 bool MinkowskiView::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
-  return find_facet_normal(u, v, normal);
+  return find_facet_normal(sum_, u, v, normal);
 }
 
 void MinkowskiView::do_facet_point(const double* normal, const double* target, double* point) const {
@@ -255,66 +285,46 @@ void MinkowskiView::do_quad_facet_point(const Quad* normal, const Quad* target, 
   facet_point_with_part(normal, target, point, of_T.data());
 }
 
-// The gauge of ±T at x, that of T at ±x.
-template <class Ask, class Real>
-auto MinkowskiView::ask_second(const Ask& ask, const Real* x, Real* normal) const {
-  const int n = dimension();
-  BasicScratch<Real> turned(n);
-  for (int k = 0; k < n; ++k) turned.data()[k] = sign_ * x[k];
-  const auto answer = ask(*T_, turned.data(), normal);
-  for (int k = 0; k < n; ++k) normal[k] *= sign_;
-  return answer;
-}
-
 // x = λx + (1 - λ)x with λx in tS and (1 - λ)x in ±tT: t is least where λ g_S = (1 - λ) g_T.
 double MinkowskiView::do_gauge(const double* x, double* normal) const {
   const int n = dimension();
-  if (is_first_alone()) return gauge_bound(*S_, x, normal);
-  if (is_second_alone()) return ask_second(gauge_bound, x, normal);
+  if (is_first_alone(sum_)) return gauge_bound(*sum_.S, x, normal);
+  if (is_second_alone(sum_)) return ask_second(sum_, gauge_bound, x, normal);
   Scratch of_T(n);
-  const double g_S = gauge_bound(*S_, x, normal);
-  const double g_T = ask_second(gauge_bound, x, of_T.data());
+  const double g_S = gauge_bound(*sum_.S, x, normal);
+  const double g_T = ask_second(sum_, gauge_bound, x, of_T.data());
   if (!(g_S < kInfinity) || !(g_T < kInfinity)) return kInfinity;
-  add_normals(normal, of_T.data());
+  add_normals(dimension(), normal, of_T.data());
   return g_S == 0 || g_T == 0 ? 0.0 : g_S * (g_T / (g_S + g_T)) * (1 + 8 * kUnitRoundoff) + kUnderflow;
 }
 
 bool MinkowskiView::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
-  if (is_first_alone()) return gauge_normal(*S_, x, normal);
-  if (is_second_alone()) return ask_second(gauge_normal, x, normal);
+  if (is_first_alone(sum_)) return gauge_normal(*sum_.S, x, normal);
+  if (is_second_alone(sum_)) return ask_second(sum_, gauge_normal, x, normal);
   BasicScratch<Quad> of_T(dimension());
-  if (!gauge_normal(*S_, x, normal) || !ask_second(gauge_normal, x, of_T.data())) return false;
-  add_normals(normal, of_T.data());
+  if (!gauge_normal(*sum_.S, x, normal) || !ask_second(sum_, gauge_normal, x, of_T.data())) return false;
+  add_normals(dimension(), normal, of_T.data());
   return true;
 }
 
-// The sum of the unit normals: the common one where S and T are homothetic.
-template <class Real>
-void MinkowskiView::add_normals(Real* normal, Real* of_T) const {
-  const int n = dimension();
-  normalize(normal, n, normal);
-  normalize(of_T, n, of_T);
-  for (int k = 0; k < n; ++k) normal[k] += of_T[k];
-}
-
 bool MinkowskiView::do_touches_origin(double* u) const {
-  if (is_first_alone()) return raygauge::touches_origin(*S_, u);
-  if (!is_second_alone() || !raygauge::touches_origin(*T_, u)) return false;
-  for (int k = 0; k < dimension(); ++k) u[k] *= sign_;
+  if (is_first_alone(sum_)) return raygauge::touches_origin(*sum_.S, u);
+  if (!is_second_alone(sum_) || !raygauge::touches_origin(*sum_.T, u)) return false;
+  for (int k = 0; k < dimension(); ++k) u[k] *= sum_.sign;
   return true;
 }
 
 bool MinkowskiView::do_is_unconditional(double* extent) const {
   const int n = dimension();
-  if (!sum_is_unconditional(*S_, *T_, extent, !keeps_parts())) return false;
-  if (a_ == nullptr) return true;
-  if (!is_shifted_by_doubles()) return false;
+  if (!sum_is_unconditional(*sum_.S, *sum_.T, extent, !sum_.keeps_parts)) return false;
+  if (sum_.a.high == nullptr) return true;
+  if (!is_shifted_by_doubles(sum_)) return false;
   // The centre of a shifted sum is computed as 0, which it is if each operand is seen from its own.
   Scratch of_S(n), of_T(n);
-  S_->center_unchecked(of_S.data());
-  T_->center_unchecked(of_T.data());
-  const double* seen_from = sign_ < 0 ? a_ : nullptr;
-  return seen_from != nullptr && std::equal(of_S.data(), of_S.data() + n, b_) &&
+  sum_.S->center_unchecked(of_S.data());
+  sum_.T->center_unchecked(of_T.data());
+  const double* seen_from = sum_.sign < 0 ? sum_.a.high : nullptr;
+  return seen_from != nullptr && std::equal(of_S.data(), of_S.data() + n, sum_.b.high) &&
          std::equal(of_T.data(), of_T.data() + n, seen_from);
 }
 
@@ -324,8 +334,8 @@ bool MinkowskiView::do_summands(const double* u, double* reach, double* change) 
   std::fill_n(reach, n, 0.0);
   std::fill_n(change, n, 0.0);
   bool any = false;
-  for (const ConvexSet* operand : {S_, T_}) {
-    const double sign = operand == S_ ? 1.0 : sign_;
+  for (const ConvexSet* operand : {sum_.S, sum_.T}) {
+    const double sign = operand == sum_.S ? 1.0 : sum_.sign;
     for (int k = 0; k < n; ++k) along.data()[k] = sign * u[k];
     const CoordinateSymmetry* symmetry = operand->symmetry();
     if (symmetry == nullptr || !symmetry->summands(along.data(), part.data(), change_of_part.data()))

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/aligned_buffer.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 namespace raygauge {
 
@@ -14,15 +14,11 @@ class ObjectPair final : public MinkowskiView {
   /// taken apart for (SupportPairs). Throws DimensionMismatchError.
   ObjectPair(const ConvexSet& A2, const ConvexSet& A1, bool keeps_parts);
 
-  const ConvexSet& A2() const noexcept { return first(); }
-  const ConvexSet& A1() const noexcept { return second(); }
+  const ConvexSet& A2() const noexcept { return *sum().S; }
+  const ConvexSet& A1() const noexcept { return *sum().T; }
 
  private:
   friend class SupportPairs;
-
-  bool keeps_parts() const noexcept override { return keeps_parts_; }
-
-  bool keeps_parts_;
 };
 
 /// Asks an ObjectPair in place of a solver, with the same answers, and notes the point a1 of A1 in each point

@@ -8,7 +8,8 @@ namespace raygauge {
 
 PosedView::PosedView(const ConvexSet& S, const Pose& pose) : LinearImage(S.dimension()) {
   check_dimension("pose", "its rotation", pose.dimension(), S.dimension());
-  Map map;
+  LinearMap map;
+  map.n = S.dimension();
   map.M = pose.rotation_data();
   map.t = pose.translation_data();
   map.defect = pose.defect();

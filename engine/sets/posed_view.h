@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/support_mapping_set.h"
+#include "raygauge/sets/convex_set.h"
 
 #include <string>
 #include <utility>

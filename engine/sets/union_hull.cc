@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/operations.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/sweep/sweep_plan.h"
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 namespace raygauge {
 

@@ -9,9 +9,9 @@
 
 #include "engine/sweep/pieces.h"
 #include "engine/sweep/sweep_plan.h"
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/method.h"
 #include "raygauge/sweep/record.h"
-#include "raygauge/sweep/sweep.h"
 
 namespace raygauge {
 

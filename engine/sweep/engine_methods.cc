@@ -10,8 +10,7 @@
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/affine_image.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sweep/method.h"
 

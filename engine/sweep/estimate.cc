@@ -12,8 +12,8 @@
 #include "engine/sweep/repetitions.h"
 #include "engine/sweep/schedule.h"
 #include "engine/sweep/sweep_plan.h"
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/method.h"
-#include "raygauge/sweep/sweep.h"
 
 namespace raygauge {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/sweep/pieces.h"
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 namespace raygauge {
 

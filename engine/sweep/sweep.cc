@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 #include <omp.h>
 

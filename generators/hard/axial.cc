@@ -9,7 +9,6 @@
 #include "generators/hard/maps.h"
 #include "generators/hard/similarities.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge {

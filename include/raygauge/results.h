@@ -11,9 +11,9 @@
 #include <set>
 #include <string>
 
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/record.h"
-#include "raygauge/sweep/sweep.h"
 
 namespace raygauge {
 

@@ -17,7 +17,7 @@
 #include "python/bindings/results.h"
 #include "python/bindings/solving.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/object_distance.h"
 
 namespace raygauge::python {
 namespace {

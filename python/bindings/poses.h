@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "python/bindings/arrays.h"
-#include "raygauge/methods/warm_start.h"
+#include "raygauge/methods/result.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge::python {

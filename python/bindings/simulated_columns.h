@@ -4,7 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge::python {
 

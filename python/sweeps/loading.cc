@@ -17,7 +17,7 @@
 #include "python/bindings/scene_answers.h"
 #include "python/bindings/simulated_columns.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "scene/input/robot_file.h"
 #include "scene/input/scene_source.h"
 

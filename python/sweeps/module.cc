@@ -19,7 +19,7 @@
 #include "python/sweeps/components.h"
 #include "python/sweeps/loading.h"
 #include "python/sweeps/planning.h"
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
 #include "results/run/run_writer.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/experiment.h"
-#include "raygauge/sweep/sweep.h"
 #include "results/provenance/machine.h"
 
 namespace raygauge {

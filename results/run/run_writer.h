@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "raygauge/results.h"
+#include "raygauge/sweep.h"
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/record.h"
-#include "raygauge/sweep/sweep.h"
 #include "results/journal/cell_journal.h"
 #include "results/provenance/provenance.h"
 #include "results/run/results_file.h"

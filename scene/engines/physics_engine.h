@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "baselines/rigid_body.h"
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 #include "scene/file/simulation_tables.h"
 
 namespace raygauge {

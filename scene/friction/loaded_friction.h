@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge {
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/scene/joint_motion.h"
 #include "raygauge/scene/motion.h"
 
 namespace raygauge::cli {

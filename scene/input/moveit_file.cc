@@ -12,8 +12,8 @@
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::cli {
 namespace {

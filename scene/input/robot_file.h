@@ -10,7 +10,7 @@
 
 #include "cli/input/hull_note.h"
 #include "cli/input/shapes.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 
 namespace raygauge::cli {
 

@@ -8,8 +8,8 @@
 
 #include "engine/meshes/box_tree.h"
 #include "raygauge/meshes/mesh.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/half_space.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge::cli {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cli/input/toml_source.h"
-#include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/scene.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge::cli {
 

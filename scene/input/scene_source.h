@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/scene.h"
+#include "raygauge/simulation.h"
 #include "scene/input/plan_table.h"
 #include "scene/input/robot_file.h"
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -105,8 +105,8 @@ void EdgeLooks::take_witness(const EdgeParts& parts) {
   const MeshWarmStart& nearest = parts.memory.mesh;
   TriangleSet own[2];
   const ObjectDistance& found =
-      witness_.solve(piece_of(placed_.posed_a(numbers), nearest.triangle_1, own[0]),
-                     piece_of(placed_.posed_b(numbers), nearest.triangle_2, own[1]), placed_.unit_ball(),
+      witness_.solve(piece_of(placed_.a().posed(numbers.a), nearest.triangle_1, own[0]),
+                     piece_of(placed_.b().posed(numbers.b), nearest.triangle_2, own[1]), placed_.unit_ball(),
                      ObjectEffects::closest_points | ObjectEffects::depth);
   const bool overlap = found.depth.evaluations > 0 && found.depth.depth > 0;
   result_.point_a = overlap ? found.depth.point_1 : found.closest_point_1;

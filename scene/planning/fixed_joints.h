@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 
 namespace raygauge {
 

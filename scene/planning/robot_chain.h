@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 
 namespace raygauge {
 

@@ -75,7 +75,8 @@ class Touching {
   }
 
   double upper(PartNumbers parts) {
-    return solver_.solve(placed_.posed_a(parts), placed_.posed_b(parts), placed_.unit_ball()).distance.upper;
+    return solver_.solve(placed_.a().posed(parts.a), placed_.b().posed(parts.b), placed_.unit_ball())
+        .distance.upper;
   }
 
   /// The sum of the distances of a point from both parts is convex along the axis: its least value is closed
@@ -89,8 +90,9 @@ class Touching {
     bool near = false;
     const auto value = [&](double s) {
       const PointSet point(Eigen::MatrixXd(line.t + s * axis));
-      const double both = solver_.solve(placed_.posed_a(parts), point, placed_.unit_ball()).distance.upper +
-                          solver_.solve(placed_.posed_b(parts), point, placed_.unit_ball()).distance.upper;
+      const double both =
+          solver_.solve(placed_.a().posed(parts.a), point, placed_.unit_ball()).distance.upper +
+          solver_.solve(placed_.b().posed(parts.b), point, placed_.unit_ball()).distance.upper;
       const double loss = slack(parts) + 2 * error.of_points(std::fabs(s));
       near = near || both + loss <= contact_;
       return both;

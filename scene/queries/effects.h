@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 
 namespace raygauge {
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 #include "scene/queries/pair_solver.h"
 #include "scene/queries/timeline.h"
 

@@ -86,7 +86,8 @@ double PairSolver::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVe
 }
 
 std::size_t PairSolver::memory_index(PartNumbers parts) const {
-  return static_cast<std::size_t>(parts.a) * placed_.b().parts.size() + static_cast<std::size_t>(parts.b);
+  return static_cast<std::size_t>(parts.a) * placed_.b().body().parts.size() +
+         static_cast<std::size_t>(parts.b);
 }
 
 void PairSolver::take_order(PairMemory& memory) {

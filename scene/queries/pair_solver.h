@@ -51,8 +51,8 @@ class PairSolver {
     placed_.place(a, b, metric_at);
   }
 
-  const Placement& placement_a() const noexcept { return placed_.at_a(); }
-  const Placement& placement_b() const noexcept { return placed_.at_b(); }
+  const Placement& placement_a() const noexcept { return placed_.a().at(); }
+  const Placement& placement_b() const noexcept { return placed_.b().at(); }
 
   /// As of PlacedPair.
   double ball_bound(const double* center_a, const double* center_b);
@@ -101,7 +101,7 @@ class PairSolver {
   };
 
   std::size_t memory_index(PartNumbers parts) const;
-  std::size_t pairs() const noexcept { return placed_.a().parts.size() * placed_.b().parts.size(); }
+  std::size_t pairs() const noexcept { return placed_.a().body().parts.size() * placed_.b().body().parts.size(); }
   void take_order(PairMemory& memory);
   double plane_bound_of(const PairMemory& memory, const PartCandidate& candidate, double& rate);
   const PairAnswer& conclude(double beyond, double beyond_rate);

@@ -59,13 +59,13 @@ void PartSolver::set_tolerance(double tolerance) {
 
 // The solve by fixed-size code about two parts where they stand; nullptr where there is none.
 SpatialSolve* PartSolver::fixed_solve(const PlacedPair& pair, PartNumbers parts) {
-  const ConvexSet &first = pair.set_a(parts), &second = pair.set_b(parts);
+  const ConvexSet &first = pair.a().set(parts.a), &second = pair.b().set(parts.b);
   if (first_ != &first || second_ != &second) {
     first_ = &first;
     second_ = &second;
     bound_ = fixed_.bind(first, second, InstructionSet::automatic);
   }
-  return bound_ && fixed_.place(pair.numbers_a(), pair.numbers_b()) ? &fixed_ : nullptr;
+  return bound_ && fixed_.place(pair.a().numbers(), pair.b().numbers()) ? &fixed_ : nullptr;
 }
 
 // Parts that overlapped before are asked first whether they still do: a growth distance, stopped at 1, proves
@@ -74,7 +74,7 @@ bool PartSolver::still_overlap(PlacedPair& pair, PartNumbers parts, PartMemory& 
                                SceneCounters& counters) {
   if (!memory.overlapped) return false;
   const SeparationResult& found =
-      separation_.separation(pair.posed_a(parts), pair.posed_b(parts), &memory.growth);
+      separation_.separation(pair.a().posed(parts.a), pair.b().posed(parts.b), &memory.growth);
   counters.support_queries += found.counters.support_queries;
   return found.outcome == Separation::intersecting;
 }
@@ -122,7 +122,7 @@ void PartSolver::mesh_distance(PlacedPair& pair, PartNumbers parts, bool closest
                                PairAnswer& answer, SceneCounters& counters) {
   const auto effects = closest_points ? ObjectEffects::closest_points : ObjectEffects::none;
   const ObjectDistance& found =
-      meshes_.solve(pair.posed_a(parts), pair.posed_b(parts), effects, &memory.mesh);
+      meshes_.solve(pair.a().posed(parts.a), pair.b().posed(parts.b), effects, &memory.mesh);
   const DistanceResult& distance = found.distance;
   counters.closest_points += found.closest_point_evaluations;
   counters.support_queries += distance.counters.support_queries;
@@ -138,8 +138,8 @@ void PartSolver::mesh_distance(PlacedPair& pair, PartNumbers parts, bool closest
 // By the general solver.
 const ObjectDistance& PartSolver::solve(PlacedPair& pair, PartNumbers parts, ObjectEffects effects,
                                         PartMemory& memory, PairAnswer& answer, SceneCounters& counters) {
-  const ObjectDistance& found =
-      distance_.solve(pair.posed_a(parts), pair.posed_b(parts), pair.unit_ball(), effects, &memory.distance);
+  const ObjectDistance& found = distance_.solve(pair.a().posed(parts.a), pair.b().posed(parts.b),
+                                                pair.unit_ball(), effects, &memory.distance);
   const DistanceResult& distance = found.distance;
   counters.closest_points += found.closest_point_evaluations;
   counters.support_queries += distance.counters.support_queries;
@@ -180,12 +180,13 @@ Separation PartSolver::separation(PlacedPair& pair, PartNumbers parts, PartMemor
   ++counters.separation_solves;
   if (pair.is_mesh(parts)) {
     last_is_mesh_ = false;  // no distance
-    const Separation known = meshes_.separation(pair.posed_a(parts), pair.posed_b(parts), &memory.mesh);
+    const Separation known =
+        meshes_.separation(pair.a().posed(parts.a), pair.b().posed(parts.b), &memory.mesh);
     counters.support_queries += meshes_.counters().precise_pairs;
     return known;
   }
   const SeparationResult& found =
-      separation_.separation(pair.posed_a(parts), pair.posed_b(parts), &memory.growth);
+      separation_.separation(pair.a().posed(parts.a), pair.b().posed(parts.b), &memory.growth);
   counters.support_queries += found.counters.support_queries;
   if (found.outcome == Separation::separated) memory.normal = found.normal;
   return found.outcome;
@@ -204,7 +205,7 @@ void PartSolver::growth(PlacedPair& pair, PartNumbers parts, PartMemory& memory,
     return;
   }
   const DistanceResult& found =
-      growth_.solve_about_centers(pair.posed_a(parts), pair.posed_b(parts), &memory.growth);
+      growth_.solve_about_centers(pair.a().posed(parts.a), pair.b().posed(parts.b), &memory.growth);
   counters.support_queries += found.counters.support_queries;
   answer.lower = found.lower;
   answer.upper = found.upper;

@@ -7,7 +7,7 @@
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 #include "scene/queries/placed_pair.h"
 
 namespace raygauge {

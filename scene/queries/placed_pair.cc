@@ -25,16 +25,33 @@ double support_error(const SmallVector& u, double turned, const Placement& at) {
 
 }  // namespace
 
+void PlacedBody::place(const Placement& at) {
+  at_ = at;
+  posed_ = false;
+}
+
+void PlacedBody::check() {
+  if (at_.defect != Placement::kUnchecked) return;
+  pose_.assign(at_.R.data(), at_.t.data());
+  at_.defect = pose_.defect();
+}
+
+Posed PlacedBody::posed(int number) {
+  if (!posed_) pose_.assign_checked(at_.R.data(), at_.t.data(), at_.defect);
+  posed_ = true;
+  return {set(number), pose_};
+}
+
 PlacedPair::PlacedPair(int dimension)
     : dimension_(dimension),
-      pose_a_(dimension),
-      pose_b_(dimension),
+      a_(dimension),
+      b_(dimension),
       ball_(std::make_shared<Ball>(Vector::Zero(dimension), 1.0)),
       pose_Q_(dimension) {}
 
 void PlacedPair::bind(const Body& a, const Body& b, const SceneMetric& metric) {
-  a_ = &a;
-  b_ = &b;
+  a_.bind(a);
+  b_.bind(b);
   metric_ = &metric;
   bounded_ = a.is_bounded() && b.is_bounded();
   outer_radius_ = 1;
@@ -46,9 +63,8 @@ void PlacedPair::bind(const Body& a, const Body& b, const SceneMetric& metric) {
 }
 
 void PlacedPair::place(const Placement& a, const Placement& b, const Placement* metric_at) {
-  at_a_ = a;
-  at_b_ = b;
-  posed_ = false;
+  a_.place(a);
+  b_.place(b);
   if (euclidean()) return;
   Placement turned = Placement::identity(dimension_);
   if (metric_at != nullptr) turned.R = metric_at->R;
@@ -57,7 +73,7 @@ void PlacedPair::place(const Placement& a, const Placement& b, const Placement* 
 }
 
 double PlacedPair::ball_bound(const double* center_a, const double* center_b) const {
-  const double radii = a_->ball.radius + b_->ball.radius;
+  const double radii = a_.body().ball.radius + b_.body().ball.radius;
   double square = 0, size = radii;
   for (int k = 0; k < dimension_; ++k) {
     const double apart = center_a[k] - center_b[k];
@@ -68,31 +84,32 @@ double PlacedPair::ball_bound(const double* center_a, const double* center_b) co
 }
 
 double PlacedPair::part_ball_bound(PartNumbers parts) const {
-  return bound_of_balls(a_->parts[static_cast<std::size_t>(parts.a)].ball,
-                        b_->parts[static_cast<std::size_t>(parts.b)].ball);
+  return bound_of_balls(a_.part(parts.a).ball, b_.part(parts.b).ball);
 }
 
 double PlacedPair::bound_of_balls(const BoundingBall& ball_a, const BoundingBall& ball_b) const {
-  const SmallVector center_a = at_a_.R * ball_a.center + at_a_.t;
-  const SmallVector center_b = at_b_.R * ball_b.center + at_b_.t;
+  const SmallVector center_a = a_.at().R * ball_a.center + a_.at().t;
+  const SmallVector center_b = b_.at().R * ball_b.center + b_.at().t;
   const double radii = ball_a.radius + ball_b.radius;
-  const double rounding = kRounding * (at_a_.t.norm() + at_b_.t.norm() + a_->reach + b_->reach + radii);
+  const double rounding =
+      kRounding * (a_.at().t.norm() + b_.at().t.norm() + a_.body().reach + b_.body().reach + radii);
   return std::max(0.0, (center_a - center_b).norm() - radii - rounding) / (outer_radius_ * kOutward);
 }
 
 // -h_A(u), A = b - a, rounding errors included, or less; the support points are in the frames of the bodies.
 double PlacedPair::depth_along(PartNumbers parts, const SmallVector& u, SmallVector& point_a,
                                SmallVector& point_b) const {
-  const BodyPart& part_a = a_->parts[static_cast<std::size_t>(parts.a)];
-  const BodyPart& part_b = b_->parts[static_cast<std::size_t>(parts.b)];
+  const BodyPart& part_a = a_.part(parts.a);
+  const BodyPart& part_b = b_.part(parts.b);
   point_a.resize(dimension_);
   point_b.resize(dimension_);
-  const SmallVector inner_a = -at_a_.turned_back(u);
-  const SmallVector inner_b = at_b_.turned_back(u);
+  const SmallVector inner_a = -a_.at().turned_back(u);
+  const SmallVector inner_b = b_.at().turned_back(u);
   const double h = part_b.set->support_unchecked(inner_b.data(), point_b.data()) +
-                   part_a.set->support_unchecked(inner_a.data(), point_a.data()) + u.dot(at_b_.t - at_a_.t);
+                   part_a.set->support_unchecked(inner_a.data(), point_a.data()) +
+                   u.dot(b_.at().t - a_.at().t);
   const double error =
-      support_error(u, part_a.turned_magnitude, at_a_) + support_error(u, part_b.turned_magnitude, at_b_);
+      support_error(u, part_a.turned_magnitude, a_.at()) + support_error(u, part_b.turned_magnitude, b_.at());
   return -(h + error);
 }
 
@@ -100,15 +117,15 @@ double PlacedPair::depth_along(PartNumbers parts, const SmallVector& u, SmallVec
 double PlacedPair::apart_from_plane(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b) {
   constexpr double kSame = 1e-14;
   check_placements();
-  half_space_.bind(posed_a({0, 0}), posed_b({0, 0}));
+  half_space_.bind(a_.posed(0), b_.posed(0));
   const SmallVector normal = half_space_.direction();
   const double length = normal.norm(), gap = half_space_.gap_lower() / length;
   if (!((u - normal / length).norm() <= kSame)) return -kInfinity;
   const SmallVector point = half_space_.point(), way = gap / length * normal;
-  arm_a = a_->is_bounded() ? point : SmallVector(point + way);
-  arm_b = b_->is_bounded() ? point : SmallVector(point - way);
-  arm_a -= at_a_.t;
-  arm_b -= at_b_.t;
+  arm_a = a_.body().is_bounded() ? point : SmallVector(point + way);
+  arm_b = b_.body().is_bounded() ? point : SmallVector(point - way);
+  arm_a -= a_.at().t;
+  arm_b -= b_.at().t;
   return gap > 0 ? gap / kOutward : gap * kOutward;
 }
 
@@ -120,8 +137,8 @@ double PlacedPair::apart_along(const SmallVector& u, SmallVector& arm_a, SmallVe
   if (!bounded_) return apart_from_plane(u, arm_a, arm_b);
   SmallVector point_a, point_b;
   const double depth = depth_along({0, 0}, u, point_a, point_b);
-  arm_a = at_a_.turned(point_a);
-  arm_b = at_b_.turned(point_b);
+  arm_a = a_.at().turned(point_a);
+  arm_b = b_.at().turned(point_b);
   return depth / (u.norm() * (depth > 0 ? kOutward : 1.0));
 }
 
@@ -130,7 +147,7 @@ double PlacedPair::plane_bound(PartNumbers parts, const SmallVector& u) {
   if (is_mesh(parts)) return 0;
   if (!bounded_) {
     check_placements();
-    half_space_.bind(posed_a(parts), posed_b(parts));
+    half_space_.bind(a_.posed(parts.a), b_.posed(parts.b));
     return half_space_.lower_bound(unit_ball());
   }
   SmallVector point, other;
@@ -150,35 +167,13 @@ double PlacedPair::plane_rate(const SmallVector& u) const {
   return u.norm() / Q_->support_unchecked(minus.data(), point.data()) * (1 + 1e-9);
 }
 
-// Checks where they stand, unless that was done before.
 void PlacedPair::check_placements() {
-  for (Placement* at : {&at_a_, &at_b_}) {
-    if (at->defect != Placement::kUnchecked) continue;
-    Pose& pose = at == &at_a_ ? pose_a_ : pose_b_;
-    pose.assign(at->R.data(), at->t.data());
-    at->defect = pose.defect();
-  }
-}
-
-void PlacedPair::pose_bodies() {
-  if (posed_) return;
-  pose_a_.assign_checked(at_a_.R.data(), at_a_.t.data(), at_a_.defect);
-  pose_b_.assign_checked(at_b_.R.data(), at_b_.t.data(), at_b_.defect);
-  posed_ = true;
+  a_.check();
+  b_.check();
 }
 
 bool PlacedPair::is_mesh(PartNumbers parts) const noexcept {
-  return as_mesh(set_a(parts)) != nullptr || as_mesh(set_b(parts)) != nullptr;
-}
-
-Posed PlacedPair::posed_a(PartNumbers parts) {
-  pose_bodies();
-  return {set_a(parts), pose_a_};
-}
-
-Posed PlacedPair::posed_b(PartNumbers parts) {
-  pose_bodies();
-  return {set_b(parts), pose_b_};
+  return as_mesh(a_.set(parts.a)) != nullptr || as_mesh(b_.set(parts.b)) != nullptr;
 }
 
 }  // namespace raygauge

@@ -18,6 +18,32 @@ struct PartNumbers {
   int a = 0, b = 0;
 };
 
+/// A body where it stands, as solvers take it.
+class PlacedBody {
+ public:
+  explicit PlacedBody(int dimension) : pose_(dimension) {}
+
+  /// The body of what follows, which must outlive its use; and where it stands from now on.
+  void bind(const Body& body) noexcept { body_ = &body; }
+  void place(const Placement& at);
+
+  const Body& body() const noexcept { return *body_; }
+  const Placement& at() const noexcept { return at_; }
+  const BodyPart& part(int number) const { return body_->parts[static_cast<std::size_t>(number)]; }
+  const ConvexSet& set(int number) const { return *part(number).set; }
+
+  /// Its placement as numbers, which are checked once a place: by check(); and a part of it in its pose.
+  PoseNumbers numbers() const noexcept { return {at_.R.data(), at_.t.data(), at_.defect}; }
+  void check();
+  Posed posed(int number);
+
+ private:
+  const Body* body_ = nullptr;
+  Placement at_;
+  Pose pose_;  // the same, where posed_
+  bool posed_ = false;
+};
+
 /// Two bodies where they stand and the metric between them, with the bounds on their distance that need no
 /// solve.
 class PlacedPair {
@@ -31,31 +57,20 @@ class PlacedPair {
   void place(const Placement& a, const Placement& b, const Placement* metric_at);
 
   int dimension() const noexcept { return dimension_; }
-  const Body& a() const noexcept { return *a_; }
-  const Body& b() const noexcept { return *b_; }
-  const Placement& at_a() const noexcept { return at_a_; }
-  const Placement& at_b() const noexcept { return at_b_; }
+  PlacedBody& a() noexcept { return a_; }
+  PlacedBody& b() noexcept { return b_; }
+  const PlacedBody& a() const noexcept { return a_; }
+  const PlacedBody& b() const noexcept { return b_; }
   bool euclidean() const noexcept { return metric_->euclidean(); }
 
   /// The unit ball of the distance, where it stands.
   const ConvexSet& unit_ball() const noexcept { return euclidean() ? *ball_ : *Q_; }
 
-  const ConvexSet& set_a(PartNumbers parts) const {
-    return *a_->parts[static_cast<std::size_t>(parts.a)].set;
-  }
-  const ConvexSet& set_b(PartNumbers parts) const {
-    return *b_->parts[static_cast<std::size_t>(parts.b)].set;
-  }
-
   /// Whether one of the parts is a mesh, which no plane need touch.
   bool is_mesh(PartNumbers parts) const noexcept;
 
-  /// Both parts where they stand, as solvers take them: as numbers, checked once a place, or as poses.
-  PoseNumbers numbers_a() const { return {at_a_.R.data(), at_a_.t.data(), at_a_.defect}; }
-  PoseNumbers numbers_b() const { return {at_b_.R.data(), at_b_.t.data(), at_b_.defect}; }
+  /// Checks where they stand, unless that was done before: PlacedBody::numbers() may be taken then.
   void check_placements();
-  Posed posed_a(PartNumbers parts);
-  Posed posed_b(PartNumbers parts);
 
   /// A certified lower bound on the distance from the bounding balls of the whole bodies, whose middles are
   /// given; it falls by at most ball_rate() times the way of these.
@@ -83,15 +98,10 @@ class PlacedPair {
   double depth_along(PartNumbers parts, const SmallVector& u, SmallVector& point_a,
                      SmallVector& point_b) const;
   double apart_from_plane(const SmallVector& u, SmallVector& arm_a, SmallVector& arm_b);
-  void pose_bodies();
 
   int dimension_;
-  const Body* a_ = nullptr;
-  const Body* b_ = nullptr;
+  PlacedBody a_, b_;
   const SceneMetric* metric_ = nullptr;
-  Placement at_a_, at_b_;
-  Pose pose_a_, pose_b_;  ///< the same, where posed_
-  bool posed_ = false;
   std::shared_ptr<const ConvexSet> ball_;
   bool bounded_ = true;        ///< neither body is a half-space
   HalfSpaceQuery half_space_;  ///< where one is

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "raygauge/scene/scene.h"
 
 namespace raygauge {

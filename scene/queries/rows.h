@@ -3,7 +3,7 @@
 #pragma once
 
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 
 namespace raygauge {
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,6 @@
 #include <limits>
 #include <vector>
 
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/object_distance.h"
 
 namespace raygauge {

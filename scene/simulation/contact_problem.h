@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/friction_island.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/shared_work.h"

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/dynamics.h"
+#include "raygauge/simulation.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

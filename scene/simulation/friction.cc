@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

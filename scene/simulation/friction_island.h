@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge {
 

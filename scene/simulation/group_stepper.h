@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/contact_problem.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/simulation_part.h"

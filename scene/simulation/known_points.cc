@@ -9,14 +9,10 @@
 
 #include "engine/numerics/decompositions.h"
 #include "engine/sets/hull_3d.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/box.h"
-#include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/simplex.h"
-#include "raygauge/sets/union_hull.h"
-#include "raygauge/sets/zonotope.h"
+#include "raygauge/sets/polytopes.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/dynamics.h"
+#include "raygauge/simulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 #include "engine/numerics/decompositions.h"
 #include "engine/sets/hull_3d.h"
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "scene/simulation/known_points.h"

@@ -9,7 +9,7 @@
 
 #include "engine/threads/shared_tools.h"
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/contact_finder.h"
 #include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulated_body.h"

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include "raygauge/scene/dynamics.h"
 #include "raygauge/scene/scene.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/free_rotation.h"
 #include "scene/simulation/piecewise_motion.h"
 

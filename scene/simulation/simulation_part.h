@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/piecewise_motion.h"
 
 namespace raygauge {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/threads/shared_tools.h"
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 #include "scene/simulation/group_stepper.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/shared_work.h"

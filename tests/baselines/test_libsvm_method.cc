@@ -11,7 +11,7 @@
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sweep/sweep.h"
+#include "raygauge/sweep.h"
 
 namespace raygauge::testing {
 

@@ -6,7 +6,6 @@
 #include <tuple>
 #include <vector>
 
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sweep/method.h"
 
 namespace raygauge::test_bodies {

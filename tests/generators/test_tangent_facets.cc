@@ -6,7 +6,7 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/generators/points_of.h"
 
 namespace raygauge::test_tangent_facets {

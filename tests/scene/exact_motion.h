@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "raygauge/numerics/quad.h"
-#include "raygauge/scene/joint_motion.h"
 #include "raygauge/scene/motion.h"
 
 /// The exact motions, in quadruple precision and by other formulas than the engine's: what its placements and

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/numerics/number_text.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "tests/scene/exact_motion.h"

@@ -7,18 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/simplex.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/truncated_cone.h"
-#include "raygauge/sets/union_hull.h"
 
 namespace raygauge::soak {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "raygauge/scene/simulation.h"
+#include "raygauge/simulation.h"
 
 namespace raygauge::soak {
 

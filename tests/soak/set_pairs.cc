@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/numerics/number_text.h"
-#include "raygauge/sets/affine_image.h"
+#include "raygauge/sets/operations.h"
 #include "tests/soak/random_set.h"
 #include "tests/soak/result_checks.h"
 

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/truncated_cone.h"
 

@@ -9,9 +9,8 @@
 #include "analysis/studies/wrong_answers/surface_around.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {

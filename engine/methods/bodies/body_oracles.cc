@@ -44,7 +44,7 @@ double PreciseOracle::support(const PreciseVector3& u, DepthPoint<DoubleDouble>&
   const PrecisePoint found = precise_.support(u, height);
   point.s = found.s;
   point.a1 = rounded(found.a1);
-  point.a2 = pair_->from_second(rounded(found.a2));
+  point.a2 = pair_->frame().from_second(rounded(found.a2));
   if (!(height_ > 0)) return height.rounded();
   point.s.z = point.s.z + (u.z.high < 0 ? -height_ : height_);
   return (height + u.z * (u.z.high < 0 ? -height_ : height_)).rounded();

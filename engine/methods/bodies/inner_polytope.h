@@ -8,7 +8,7 @@
 
 #include "engine/methods/bodies/facet_lanes.h"
 #include "engine/numerics/real.h"
-#include "raygauge/methods/warm_start.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/sets/object_pair.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 namespace raygauge {
 namespace {

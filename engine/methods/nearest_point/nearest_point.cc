@@ -9,7 +9,7 @@
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/object_pair.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 
 namespace raygauge {
 namespace {

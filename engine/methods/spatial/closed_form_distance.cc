@@ -12,8 +12,8 @@ namespace {
 void nearest_of_capsules(const SpatialPair& pair, SpatialPoint& point) {
   const SpatialShape& one = pair.shape(0);
   const SpatialShape& two = pair.shape(1);
-  const Vector3 x = one.axis.column[0], y = pair.rotation() * two.axis.column[0];
-  const Vector3 q = pair.from_second(two.center);
+  const Vector3 x = one.axis.column[0], y = pair.frame().R * two.axis.column[0];
+  const Vector3 q = pair.frame().from_second(two.center);
   double s = 0, t = 0;
   nearest_of_segments(one.center, x, q, y, s, t);
   point.a1 = one.center + x * s;
@@ -39,7 +39,7 @@ bool is_projection(const SpatialPair& pair) {
 void name_ends(const SpatialPair& pair, const SpatialPoint& nearest, SpatialCombination& combination) {
   if (is_projection(pair)) return;  // the combination is `nearest`
   const CoreEnds one = ends_around(pair.shape(0), nearest.a1),
-                 two = ends_around(pair.shape(1), pair.to_second(nearest.a2));
+                 two = ends_around(pair.shape(1), pair.frame().to_second(nearest.a2));
   combination.count = 0;
   for (int i = 0; i < one.count; ++i) {
     for (int k = 0; k < two.count; ++k) {
@@ -66,14 +66,14 @@ bool find_nearest(const SpatialShape& shape, const Vector3& p, Vector3& nearest)
 bool nearest_points(const SpatialPair& pair, SpatialPoint& point) {
   const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
   if (is_point(two)) {
-    point.a2 = pair.from_second(two.center);
+    point.a2 = pair.frame().from_second(two.center);
     return find_nearest(one, point.a2, point.a1);
   }
   if (is_point(one)) {
     Vector3 nearest;
     point.a1 = one.center;
-    if (!find_nearest(two, pair.to_second(point.a1), nearest)) return false;
-    point.a2 = pair.from_second(nearest);
+    if (!find_nearest(two, pair.frame().to_second(point.a1), nearest)) return false;
+    point.a2 = pair.frame().from_second(nearest);
     return true;
   }
   if (!is_between_ends(one) || !is_between_ends(two)) return false;

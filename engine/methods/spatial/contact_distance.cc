@@ -69,10 +69,10 @@ void ContactDescent::bound(const Vector3& v) {
 // v is a direction from the disc of frustum i outward, near its axis.
 bool ContactDescent::try_disc(int i, const Vector3& v) {
   const CoreDisc disc = disc_towards(pair_.shape(i), v);
-  const Vector3 n = i == 0 ? disc.normal : -(pair_.rotation() * disc.normal);
+  const Vector3 n = i == 0 ? disc.normal : -(pair_.frame().R * disc.normal);
   SpatialPoint point;
   pair_.support(n, point);
-  const Vector3 center = i == 0 ? disc.center : pair_.from_second(disc.center);
+  const Vector3 center = i == 0 ? disc.center : pair_.frame().from_second(disc.center);
   Vector3 q = point.a(1 - i) - center;
   q = q - n * dot(n, q);
   if (!(length(q) < kInside * disc.radius)) return false;
@@ -93,7 +93,7 @@ bool ContactDescent::try_disc(int i, const Vector3& v) {
 bool ContactDescent::try_discs() {
   for (int i = 0; i < 2; ++i) {
     if (tried_[i] || !has_discs(pair_.shape(i))) continue;
-    const Vector3 v = i == 0 ? u_ : pair_.rotation().transposed_times(-u_);
+    const Vector3 v = i == 0 ? u_ : pair_.frame().R.transposed_times(-u_);
     const double along = dot(v, disc_towards(pair_.shape(i), v).normal);
     if (1 - along * along > kNearAxis * kNearAxis) continue;
     tried_[i] = true;

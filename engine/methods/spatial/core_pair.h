@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/methods/spatial/pair_frames.h"
-#include "raygauge/methods/warm_start.h"
+#include "raygauge/methods/result.h"
 
 namespace raygauge {
 
@@ -28,6 +28,18 @@ class CorePair {
   double error() const noexcept { return error_; }
   std::int64_t queries() const noexcept { return queries_; }
 
+  const Frame& frame() const noexcept { return frame_; }
+  InstructionSet instruction_set() const noexcept { return isa_; }
+
+  /// The difference of two vertices of the cores by their indices; false where there are none.
+  bool core_vertex(std::int32_t index_1, std::int32_t index_2, Point& point) const {
+    if (!find_vertex<0>(index_1, point) || !find_vertex<1>(index_2, point)) return false;
+    point.index_1 = index_1;
+    point.index_2 = index_2;
+    frame_.subtract(point);
+    return true;
+  }
+
  protected:
   /// The bodies of the frame are new.
   void begin() noexcept {
@@ -48,15 +60,6 @@ class CorePair {
   void look_again(const Vector& u, const DepthMemory::Corner& corner, Point& point) {
     look_again_at<0>(u, corner.index_1, corner.way_1, point);
     look_again_at<1>(u, corner.index_2, corner.way_2, point);
-  }
-
-  /// The difference of two vertices; false where there are none.
-  bool find_vertices(std::int32_t index_1, std::int32_t index_2, Point& point) const {
-    if (!find_vertex<0>(index_1, point) || !find_vertex<1>(index_2, point)) return false;
-    point.index_1 = index_1;
-    point.index_2 = index_2;
-    frame_.subtract(point);
-    return true;
   }
 
   /// The point that the pieces of `point`'s indices have for u; a ball has its centre whatever its index.

@@ -151,7 +151,7 @@ bool FlatPair::run() {
   }
   for (int i = 0; i < count; ++i) {
     const double n[3] = {normal[i].x, normal[i].y, normal[i].z};
-    const Vector3 v = shared ? normal[i] : pair_.to_body(n);
+    const Vector3 v = shared ? normal[i] : pair_.frame().to_body(n);
     pair_.add_prism(v * (pair_.size() / length(v)));
   }
   return count > 0;

@@ -51,7 +51,7 @@ InnerBall::InnerBall(const SpatialPair& pair, PrecisePair& numbers, const Precis
     : precise_(numbers), center_(center), enough_(enough), prisms_(pair.prisms().size()) {
   for (std::size_t i = 0; i < prisms_; ++i) {
     double world[3] = {0, 0, 0};
-    pair.to_world(pair.prisms()[i], world);
+    pair.frame().to_world(pair.prisms()[i], world);
     if (pair.dimension() == 2) world[2] = pair.prisms()[i].z;
     prism_[i] = precise({world[0], world[1], world[2]});
   }

@@ -65,9 +65,41 @@ struct FirstBodyFrame {
   }
   static void subtract(PairPoint<double>& point) noexcept { point.s = point.a1 - point.a2; }
 
+  /// A point of the second body's frame in the first one's, and back.
+  Vector3 from_second(const Vector3& point) const noexcept { return R * point + t; }
+  Vector3 to_second(const Vector3& point) const noexcept { return R.transposed_times(point - t); }
+
+  /// A vector, or a point, of the first body's frame in the world's; n numbers.
+  void to_world(const Vector3& vector, double* out) const noexcept { write(W * vector, out); }
+  void point_to_world(const Vector3& point, double* out) const noexcept { write(W * point + w, out); }
+
+  /// The normal of a plane. The pose takes it to R⁻ᵀu, which is Ru only where R is orthonormal; `close`: the
+  /// plane is so near to the bodies that rounding errors of R matter.
+  void normal_to_world(const Vector3& u, bool close, double* out) const noexcept {
+    constexpr double kOrthonormal = 0x1p-44;
+    const bool turned = close || defect > kOrthonormal;
+    to_world(turned ? u - (W.transposed_times(W * u) - u) : u, out);
+  }
+
+  /// A vector of the world in the first body's frame.
+  Vector3 to_body(const double* vector) const noexcept {
+    return W.transposed_times({vector[0], vector[1], dimension == 3 ? vector[2] : 0.0});
+  }
+
   const SpatialShape* body[2] = {nullptr, nullptr};
+  int dimension = 3;
   Matrix3 R;  // second frame to first
   Vector3 t;
+  Matrix3 W;  // first frame to world, and Pose::defect of W
+  Vector3 w;
+  double defect = 0;
+
+ private:
+  void write(const Vector3& x, double* out) const noexcept {
+    out[0] = x.x;
+    out[1] = x.y;
+    if (dimension == 3) out[2] = x.z;
+  }
 };
 
 /// In double-double arithmetic the frame is the world's, with both rotations as they are given: that is what

@@ -228,7 +228,7 @@ RAYGAUGE_FUSED bool PreciseDescent::disc_step() {
 bool PreciseDescent::projection_steps() {
   PrecisePoint point;
   point.a1 = precise(before_.point[0].a1);
-  point.a2 = precise(precise_.in_doubles().to_second(before_.point[0].a2));
+  point.a2 = precise(precise_.in_doubles().frame().to_second(before_.point[0].a2));
   for (int i = 0; i < kMostProjections; ++i) {
     if (!precise_.project(point)) return false;
     const double size = length(rounded(point.s));
@@ -304,7 +304,7 @@ void PreciseDescent::record() {
   for (int i = 0; i < combination.count; ++i) {
     SpatialPoint& point = combination.point[i];
     point.a1 = rounded(now_.point[i].a1);
-    point.a2 = precise_.in_doubles().from_second(rounded(now_.point[i].a2));
+    point.a2 = precise_.in_doubles().frame().from_second(rounded(now_.point[i].a2));
     point.s = point.a1 - point.a2;
     point.index_1 = std::max(now_.point[i].index_1, kSmoothPiece);
     point.index_2 = std::max(now_.point[i].index_2, kSmoothPiece);

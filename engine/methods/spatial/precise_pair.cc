@@ -46,12 +46,12 @@ bool PrecisePair::bind(const SpatialPair& pair) {
 
 Vector3 PrecisePair::to_first(const PreciseVector3& vector) const {
   const double world[3] = {vector.x.high, vector.y.high, vector.z.high};
-  return spatial_->to_body(world);
+  return spatial_->frame().to_body(world);
 }
 
 Vector3 PrecisePair::to_world(const Vector3& vector) const {
   double world[3] = {0, 0, 0};
-  spatial_->to_world(vector, world);
+  spatial_->frame().to_world(vector, world);
   return {world[0], world[1], world[2]};
 }
 
@@ -116,7 +116,7 @@ RAYGAUGE_FUSED bool PrecisePair::follow(const PreciseVector3& u, PrecisePoint& p
 
 RAYGAUGE_FUSED bool PrecisePair::vertex(std::int32_t index_1, std::int32_t index_2,
                                         PrecisePoint& point) const {
-  return find_vertices(index_1, index_2, point);
+  return core_vertex(index_1, index_2, point);
 }
 
 // With E = RᵀR - 1, the vector R(1 - E)a is R⁻ᵀa but for E².

@@ -72,8 +72,8 @@ bool meet_deep(const SpatialPair& pair) {
   const SpatialShape &one = pair.shape(0), &two = pair.shape(1);
   const bool is_first = one.kind == SpatialShape::Kind::segment;
   if (!is_first && two.kind != SpatialShape::Kind::segment) return false;
-  const Vector3 half = is_first ? one.axis.column[0] : pair.rotation() * two.axis.column[0];
-  const Vector3 way = pair.from_second(two.center) - one.center;
+  const Vector3 half = is_first ? one.axis.column[0] : pair.frame().R * two.axis.column[0];
+  const Vector3 way = pair.frame().from_second(two.center) - one.center;
   const double square = dot(half, half);
   if (!(square > 0)) return false;
   return holds_way(one.inner_radius + two.inner_radius,

@@ -206,7 +206,7 @@ bool Growth::may_be_plate(int discoveries) const {
 // Any support point of a needle is at one of its ends: the normal of the plate is across both.
 bool Growth::begin_on_plate(Vector3& u, double& h) {
   const Vector3 one = portal_[0].a1 - pair_.shape(0).center;
-  const Vector3 two = portal_[0].a2 - pair_.from_second(pair_.shape(1).center);
+  const Vector3 two = portal_[0].a2 - pair_.frame().from_second(pair_.shape(1).center);
   Vector3 n = cross(one, two);
   const double size = length(n), lengths = length(one) * length(two);
   if (!(size > kCrossed * lengths)) return false;

@@ -30,6 +30,10 @@ void read(const PoseNumbers& pose, int n, Matrix3& R, Vector3& t) {
   t = {pose.t[0], pose.t[1], 0};
 }
 
+void add_prisms(std::span<const Vector3> prisms, const Vector3& u, SpatialPoint& point) {
+  for (const Vector3& v : prisms) point.s = dot(u, v) < 0 ? point.s - v : point.s + v;
+}
+
 void add_curvature(const Matrix3& form, const CoreCurvature& of, Matrix3& H) {
   H.column[0] = H.column[0] + (form.column[0] - of.y * of.y.x) * of.share;
   H.column[1] = H.column[1] + (form.column[1] - of.y * of.y.y) * of.share;
@@ -37,6 +41,50 @@ void add_curvature(const Matrix3& form, const CoreCurvature& of, Matrix3& H) {
 }
 
 }  // namespace
+
+void Curvatures::place(const FirstBodyFrame& frame) {
+  for (int i = 0; i < 2; ++i) {
+    with_core(frame.shape(i), [&](const auto& core) {
+      if constexpr (requires { core.kIsCurved; }) {
+        axes_[i] = frame.shape(i).axis;
+        for (int j = 0; i == 1 && j < core.kAxes; ++j) axes_[i].column[j] = frame.R * axes_[i].column[j];
+        form_[i] = core.form(axes_[i]);
+      }
+    });
+  }
+}
+
+void Curvatures::add(const SpatialShape& shape, int i, const Vector3& u, std::int32_t index, double weight,
+                     Matrix3& H) const {
+  with_core(shape, [&](const auto& core) {
+    if constexpr (requires { core.kIsCurved; }) {
+      CoreCurvature curvature = core.curvature(axes_[i], u, index);
+      curvature.share *= weight;
+      add_curvature(form_[i], curvature, H);
+    }
+  });
+}
+
+// The coordinates of R_1 c_1 + t_1 - R_2 c_2 - t_2, summed without rounding where they may be 0.
+bool share_center(const SpatialPair& pair) noexcept {
+  const int n = pair.dimension();
+  for (int j = 0; j < n; ++j) {
+    ExactSum sum;
+    for (int i = 0; i < 2; ++i) {
+      const double sign = i == 0 ? 1.0 : -1.0;
+      const PoseNumbers& pose = pair.pose(i);
+      const double c[3] = {pair.shape(i).center.x, pair.shape(i).center.y, pair.shape(i).center.z};
+      if (pose.R == nullptr) {
+        sum.add(sign * c[j]);
+        continue;
+      }
+      for (int k = 0; k < n; ++k) sum.add_product(sign * pose.R[k * n + j], c[k]);
+      sum.add(sign * pose.t[j]);
+    }
+    if (!sum.is_zero()) return false;
+  }
+  return true;
+}
 
 bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
   const SpatialShape *one = first.spatial_shape(), *two = second.spatial_shape();
@@ -46,7 +94,7 @@ bool SpatialPair::bind(const ConvexSet& first, const ConvexSet& second, Instruct
 }
 
 void SpatialPair::bind(const SpatialShape& first, const SpatialShape& second, int n, InstructionSet isa) {
-  dimension_ = n;
+  frame_.dimension = n;
   frame_.body[0] = &first;
   frame_.body[1] = &second;
   isa_ = isa;
@@ -59,62 +107,31 @@ bool SpatialPair::place(const PoseNumbers& first, const PoseNumbers& second) {
   pose_[1] = second;
   Matrix3 R;
   Vector3 t;
-  read(first, dimension_, W_, w_);
-  read(second, dimension_, R, t);
+  read(first, frame_.dimension, frame_.W, frame_.w);
+  frame_.defect = first.defect;
+  read(second, frame_.dimension, R, t);
   anchor_ = shape(0).center;
   anchor_radius_ = shape(0).inner_radius;
-  for (int j = 0; j < 3; ++j) frame_.R.column[j] = W_.transposed_times(R.column[j]);
-  apart_ = t - w_;
-  frame_.t = W_.transposed_times(apart_);
+  for (int j = 0; j < 3; ++j) frame_.R.column[j] = frame_.W.transposed_times(R.column[j]);
+  apart_ = t - frame_.w;
+  frame_.t = frame_.W.transposed_times(apart_);
   const double size = size_of_shapes_ + length(apart_);
   if (!(size > kSmallest && size < kLargest)) return false;
   size_ = size;
   error_ = size * (kRounding + 2 * (first.defect + second.defect));
   prisms_ = 0;
   known_radius_ = 0;
-  if (dimension_ == 2) add_prism({0, 0, size});
+  if (frame_.dimension == 2) add_prism({0, 0, size});
   between_centers_ = frame_.R * shape(1).center + frame_.t - anchor_;
-  if (is_curved()) place_axes();
+  if (is_curved()) curvatures_.place(frame_);
   queries_ = 0;
   return true;
 }
 
-// The coordinates of R_1 c_1 + t_1 - R_2 c_2 - t_2, summed without rounding where they may be 0.
-bool SpatialPair::share_center() const noexcept {
-  const int n = dimension_;
-  for (int j = 0; j < n; ++j) {
-    ExactSum sum;
-    for (int i = 0; i < 2; ++i) {
-      const double sign = i == 0 ? 1.0 : -1.0;
-      const double c[3] = {shape(i).center.x, shape(i).center.y, shape(i).center.z};
-      if (pose_[i].R == nullptr) {
-        sum.add(sign * c[j]);
-        continue;
-      }
-      for (int k = 0; k < n; ++k) sum.add_product(sign * pose_[i].R[k * n + j], c[k]);
-      sum.add(sign * pose_[i].t[j]);
-    }
-    if (!sum.is_zero()) return false;
-  }
-  return true;
-}
-
-void SpatialPair::place_axes() {
-  for (int i = 0; i < 2; ++i) {
-    with_core(shape(i), [&](const auto& core) {
-      if constexpr (requires { core.kIsCurved; }) {
-        axes_[i] = shape(i).axis;
-        for (int j = 0; i == 1 && j < core.kAxes; ++j) axes_[i].column[j] = frame_.R * axes_[i].column[j];
-        form_[i] = core.form(axes_[i]);
-      }
-    });
-  }
-}
-
 bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
-  const Vector3 origin = W_.transposed_times(-w_);
+  const Vector3 origin = frame_.W.transposed_times(-frame_.w);
   if (length(origin - anchor_) == 0) return true;
-  const double size = error_ / kRounding + length(w_);
+  const double size = error_ / kRounding + length(frame_.w);
   error_ = size * (kRounding + 4 * pose_[0].defect) + error_;
   const double c[3] = {origin.x, origin.y, origin.z};
   anchor_ = origin;
@@ -126,7 +143,7 @@ bool SpatialPair::scale_first_about_origin(const ConvexSet& first) {
 void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
   look<true>(u, point, [](int, const Vector3&, double) {});
   frame_.subtract(point);
-  if (prisms_ > 0) add_prisms(u, point);
+  add_prisms(prisms(), u, point);
 }
 
 Vector3 SpatialPair::support_again(const DepthMemory::Corner& corner, SpatialPoint& point) {
@@ -134,7 +151,7 @@ Vector3 SpatialPair::support_again(const DepthMemory::Corner& corner, SpatialPoi
   const Vector3 u{x, y, z};
   look_again(u, corner, point);
   frame_.subtract(point);
-  if (prisms_ > 0) add_prisms(u, point);
+  add_prisms(prisms(), u, point);
   return u;
 }
 
@@ -150,11 +167,7 @@ DepthMemory::Corner SpatialPair::corner_of(const Vector3& u, const SpatialPoint&
     return std::array<float, 3>{static_cast<float>(from.x), static_cast<float>(from.y),
                                 static_cast<float>(from.z)};
   };
-  return {way(0, point.a1), way(1, to_second(point.a2)), point.index_1, point.index_2};
-}
-
-void SpatialPair::add_prisms(const Vector3& u, SpatialPoint& point) const {
-  for (const Vector3& v : prisms()) point.s = dot(u, v) < 0 ? point.s - v : point.s + v;
+  return {way(0, point.a1), way(1, frame_.to_second(point.a2)), point.index_1, point.index_2};
 }
 
 bool SpatialPair::follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed) const {
@@ -168,7 +181,7 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   for (int i = 0; i < 2; ++i) {
     with_core(shape(i), [&](const auto& core) {
       if constexpr (requires { core.kIsCurved; }) {
-        add_piece(i, u, core.look(frame_.into(i, u), isa_).index, 1, H);
+        curvatures_.add(shape(i), i, u, core.look(frame_.into(i, u), isa_).index, 1, H);
       }
     });
   }
@@ -177,43 +190,10 @@ bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
   return true;
 }
 
-// `weight` times the Hessian of the support function of piece `index` of core i at u, in the first frame.
-void SpatialPair::add_piece(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const {
-  with_core(shape(i), [&](const auto& core) {
-    if constexpr (requires { core.kIsCurved; }) {
-      CoreCurvature curvature = core.curvature(axes_[i], u, index);
-      curvature.share *= weight;
-      add_curvature(form_[i], curvature, H);
-    }
-  });
-}
-
 void SpatialPair::add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
                               Matrix3& H) const {
-  add_piece(0, u, index_1, weight, H);
-  add_piece(1, u, index_2, weight, H);
-}
-
-void SpatialPair::to_world(const Vector3& vector, double* out) const noexcept {
-  const Vector3 v = W_ * vector;
-  out[0] = v.x;
-  out[1] = v.y;
-  if (dimension_ == 3) out[2] = v.z;
-}
-
-void SpatialPair::turn_normal(const Vector3& u, double* out) const noexcept {
-  to_world(u - (W_.transposed_times(W_ * u) - u), out);
-}
-
-void SpatialPair::point_to_world(const Vector3& point, double* out) const noexcept {
-  const Vector3 v = W_ * point + w_;
-  out[0] = v.x;
-  out[1] = v.y;
-  if (dimension_ == 3) out[2] = v.z;
-}
-
-Vector3 SpatialPair::to_body(const double* vector) const noexcept {
-  return W_.transposed_times({vector[0], vector[1], dimension_ == 3 ? vector[2] : 0.0});
+  curvatures_.add(shape(0), 0, u, index_1, weight, H);
+  curvatures_.add(shape(1), 1, u, index_2, weight, H);
 }
 
 }  // namespace raygauge

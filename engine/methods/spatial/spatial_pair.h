@@ -13,6 +13,25 @@ namespace raygauge {
 
 using SpatialPoint = PairPoint<double>;
 
+/// How the cores of a pair curve, in the first body's frame: the Hessians of their support functions.
+class Curvatures {
+ public:
+  /// The cores, one of them curved, stand there.
+  void place(const FirstBodyFrame& frame);
+
+  /// Adds `weight` times the Hessian of the support function of piece `index` of core i at u to H.
+  void add(const SpatialShape& shape, int i, const Vector3& u, std::int32_t index, double weight,
+           Matrix3& H) const;
+
+ private:
+  Matrix3 axes_[2], form_[2];
+};
+
+class SpatialPair;
+
+/// Whether the centres R_1 c_1 + t_1 and R_2 c_2 + t_2 are the same, without a rounding error.
+bool share_center(const SpatialPair& pair) noexcept;
+
 /// Two bodies S1 and S2 of R^3 in the frame of the first: what a query asks of  D = S1 - (R S2 + t).
 ///
 /// Rounding errors are covered by one number. Where |x| is at most Z on everything that is computed with, a
@@ -51,14 +70,9 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// How support_again() finds `point`, found for u, wherever the bodies are.
   DepthMemory::Corner corner_of(const Vector3& u, const SpatialPoint& point) const;
 
-  /// The difference of two vertices by their indices; false if there are no such vertices, or D is a prism.
+  /// core_vertex(); false where D is a prism.
   bool vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
     return prisms_ == 0 && core_vertex(index_1, index_2, point);
-  }
-
-  /// The same without the prism.
-  bool core_vertex(std::int32_t index_1, std::int32_t index_2, SpatialPoint& point) const {
-    return find_vertices(index_1, index_2, point);
   }
 
   /// Whether neither core has an edge.
@@ -81,7 +95,6 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
 
   /// Of the bodies and the way between them, at most.
   double size() const noexcept { return size_; }
-  const Matrix3& rotation() const noexcept { return frame_.R; }
   const PoseNumbers& pose(int i) const noexcept { return pose_[i]; }
 
   /// The radius of a ball about the origin inside the difference of the bodies, each about its centre, proven
@@ -99,63 +112,32 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// Whether both centres are the same point, without a rounding error.
   bool is_concentric() const noexcept {
     const Vector3& p = between_centers_;
-    return std::fabs(p.x) <= error_ && std::fabs(p.y) <= error_ && std::fabs(p.z) <= error_ && share_center();
+    return std::fabs(p.x) <= error_ && std::fabs(p.y) <= error_ && std::fabs(p.z) <= error_ &&
+           share_center(*this);
   }
-
-  /// A vector, or a point, of the first body's frame in the world's; n numbers.
-  void to_world(const Vector3& vector, double* out) const noexcept;
-
-  /// The normal of a plane. The pose takes it to R⁻ᵀu, which is Ru only where R is orthonormal; `close`: the
-  /// plane is so near to the bodies that rounding errors of R matter.
-  void normal_to_world(const Vector3& u, bool close, double* out) const noexcept {
-    constexpr double kOrthonormal = 0x1p-44;
-    close || pose_[0].defect > kOrthonormal ? turn_normal(u, out) : to_world(u, out);
-  }
-  void point_to_world(const Vector3& point, double* out) const noexcept;
-
-  /// A point of the second body's frame in the first one's.
-  Vector3 from_second(const Vector3& point) const noexcept { return frame_.R * point + frame_.t; }
-
-  /// A point of the first body's frame in the second one's.
-  Vector3 to_second(const Vector3& point) const noexcept {
-    return frame_.R.transposed_times(point - frame_.t);
-  }
-
-  /// A vector of the world in the first body's frame.
-  Vector3 to_body(const double* vector) const noexcept;
 
   /// What a PrecisePair has, too: the pair in doubles, and a vector of the pair's frame in the first body's,
   /// rounded.
   const SpatialPair& in_doubles() const noexcept { return *this; }
   static const Vector3& to_first(const Vector3& vector) noexcept { return vector; }
 
-  int dimension() const noexcept { return dimension_; }
-  InstructionSet instruction_set() const noexcept { return isa_; }
+  int dimension() const noexcept { return frame_.dimension; }
 
  private:
   static constexpr double kRounding = 256 * 0x1p-53;
   static constexpr int kMostPrisms = 3;
 
-  bool share_center() const noexcept;
-  void turn_normal(const Vector3& u, double* out) const noexcept;
-  void add_prisms(const Vector3& u, SpatialPoint& point) const;
-  void place_axes();
-  void add_piece(int i, const Vector3& u, std::int32_t index, double weight, Matrix3& H) const;
-
-  Matrix3 axes_[2], form_[2];  // of curved cores, in the first frame
+  Curvatures curvatures_;
   PoseNumbers pose_[2];
   Vector3 apart_;  // between the origins of both frames, in the world
   Vector3 between_centers_;
   Vector3 anchor_;  // what the first body is scaled about ...
   double known_radius_ = 0;
   double anchor_radius_ = 0;  // ... and the radius of a ball about it inside that body
-  Matrix3 W_;                 // first frame to world
-  Vector3 w_;
   double size_of_shapes_ = 0;
   double size_ = 0;
   Vector3 prism_[kMostPrisms];
   int prisms_ = 0;
-  int dimension_ = 3;
 };
 
 }  // namespace raygauge

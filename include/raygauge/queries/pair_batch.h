@@ -10,7 +10,6 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
-#include "raygauge/methods/warm_start.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/convex_set.h"

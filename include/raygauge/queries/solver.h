@@ -7,7 +7,6 @@
 
 #include "raygauge/methods/options.h"
 #include "raygauge/methods/result.h"
-#include "raygauge/methods/warm_start.h"
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/pose.h"
 

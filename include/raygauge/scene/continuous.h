@@ -9,7 +9,7 @@
 
 #include "raygauge/methods/result.h"
 #include "raygauge/scene/scene.h"
-#include "raygauge/scene/scene_record.h"
+#include "raygauge/scene/scene_run.h"
 
 namespace raygauge {
 

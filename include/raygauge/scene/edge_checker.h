@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "raygauge/scene/scene.h"
 
 namespace raygauge {

@@ -7,11 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_contact_hard_cases {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/queries/contact_patch.h"
+#include "raygauge/queries/object_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include <cmath>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/queries/depth_cases.h"
 
 namespace raygauge::test_contact_patch {

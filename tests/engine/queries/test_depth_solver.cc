@@ -12,10 +12,10 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/pose.h"
 #include "tests/engine/point_clouds.h"
 

@@ -15,8 +15,7 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/grasp_wrenches.h"
-#include "raygauge/sets/minkowski_sum.h"
-#include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/operations.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_grasp_quality {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/convex_set.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
-#include "raygauge/sets/support_mapping_set.h"
 #include "tests/engine/queries/depth_cases.h"
 
 namespace raygauge::test_object_depth {

@@ -12,7 +12,7 @@
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"

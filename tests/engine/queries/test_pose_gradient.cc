@@ -9,10 +9,10 @@
 #include "raygauge/queries/gradient.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/half_space.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/queries/depth_cases.h"
 
 namespace raygauge::test_pose_gradient {

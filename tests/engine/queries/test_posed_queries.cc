@@ -10,17 +10,15 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/queries/pair_batch.h"
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/truncated_cone.h"

@@ -11,8 +11,8 @@
 
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/grasp_wrenches.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/union_hull.h"
 
 namespace raygauge::test_solver_grasps {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"

@@ -10,7 +10,7 @@
 #include "raygauge/methods/options.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 

@@ -14,11 +14,10 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/prepared_set.h"
-#include "raygauge/sets/simplex.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_spatial_query {

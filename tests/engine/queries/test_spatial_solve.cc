@@ -14,9 +14,9 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/prepared_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_spatial_solve {
 namespace {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "engine/queries/body_depth.h"
-#include "raygauge/queries/contact_patch.h"
 #include "raygauge/queries/object_distance.h"
 #include "tests/engine/queries/depth_cases.h"
 

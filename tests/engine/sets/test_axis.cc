@@ -10,7 +10,6 @@
 #include "engine/sets/axis.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_axis {

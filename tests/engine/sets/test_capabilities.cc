@@ -20,19 +20,15 @@
 #include "engine/sets/object_pair.h"
 #include "engine/sets/posed_view.h"
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
-#include "raygauge/sets/union_hull.h"
-#include "raygauge/sets/zonotope.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_capabilities {
@@ -112,7 +108,6 @@ Set pair_of_objects(const Set& A2, const Set& A1) {
 
 // S - 0 - ({p} - p).
 Set growth_body_of_point(const Set& S) {
-  using TwofoldPoint = GrowthBody::TwofoldPoint;
   auto held = std::make_shared<Held<GrowthBody>>();
   held->S = S;
   held->a = Eigen::Vector3d(0.1, -2, 0.3);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include "engine/sets/capability_queries.h"
-#include "raygauge/sets/h_polytope.h"
+#include "raygauge/sets/polytopes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,6 @@
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/simplex.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge {

@@ -10,9 +10,9 @@
 
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/sets/set_cases.h"
 
 namespace raygauge::test_membership {

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_object_pair {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/capability_queries.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/truncated_cone.h"
 #include "tests/engine/sets/set_cases.h"
 

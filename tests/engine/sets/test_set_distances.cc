@@ -11,17 +11,14 @@
 #include <limits>
 #include <memory>
 
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
-#include "raygauge/sets/simplex.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/truncated_cone.h"
-#include "raygauge/sets/union_hull.h"
 #include "tests/engine/both_methods.h"
 #include "tests/engine/point_clouds.h"
 #include "tests/linear_algebra.h"

@@ -12,7 +12,7 @@
 #include "engine/sets/posed_view.h"
 #include "raygauge/numerics/quad.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "tests/engine/point_clouds.h"
 

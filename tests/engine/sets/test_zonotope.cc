@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/zonotope.h"
+#include "raygauge/sets/polytopes.h"
 
 #include <gtest/gtest.h>
 

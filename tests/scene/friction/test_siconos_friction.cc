@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "raygauge/queries/object_distance.h"
-#include "raygauge/scene/simulation.h"
 #include "scene/simulation/piecewise_motion.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "scene/input/robot_file.h"
 #include "tests/results/complaint.h"
 #include "tests/results/support.h"

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/scene/joint_motion.h"
 #include "tests/scene/random_scenes.h"
 
 namespace raygauge::test_motion {

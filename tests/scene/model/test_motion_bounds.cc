@@ -4,7 +4,6 @@
 
 #include <functional>
 
-#include "raygauge/scene/joint_motion.h"
 #include "raygauge/scene/motion.h"
 #include "tests/scene/exact_motion.h"
 #include "tests/scene/random_scenes.h"

@@ -12,8 +12,8 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_support_mesh {
 namespace {

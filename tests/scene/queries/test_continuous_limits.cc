@@ -4,7 +4,7 @@
 
 #include "raygauge/numerics/quad.h"
 #include "raygauge/scene/continuous.h"
-#include "raygauge/scene/joint_motion.h"
+#include "raygauge/scene/motion.h"
 #include "tests/scene/random_scenes.h"
 
 // Times of impact and clearances where rounding, overflow or a gap that hardly changes decides.

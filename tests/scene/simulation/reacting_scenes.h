@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "raygauge/scene/simulation.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
+#include "raygauge/simulation.h"
 
 /// Scenes of bodies that react, put together in a few lines.
 namespace raygauge::reacting_scenes {

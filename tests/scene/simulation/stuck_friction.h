@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "raygauge/scene/friction.h"
+#include "raygauge/simulation.h"
 
 /// Four contacts of a heap of boxes, μ = 0.5, of which Newton's method alone is left with a residual of 2e-7.
 namespace raygauge::stuck_friction {

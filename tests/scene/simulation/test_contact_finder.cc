@@ -10,8 +10,8 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/half_space.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_contact_finder {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/scene/dynamics.h"
+#include "raygauge/simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -12,20 +12,16 @@
 #include <vector>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/affine_image.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/cylinder.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/h_polytope.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
+#include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/prepared_set.h"
-#include "raygauge/sets/simplex.h"
 #include "raygauge/sets/truncated_cone.h"
-#include "raygauge/sets/zonotope.h"
 
 namespace raygauge::test_moments {
 namespace {

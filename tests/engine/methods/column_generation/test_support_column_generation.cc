@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "raygauge/queries/solver.h"
-#include "raygauge/sets/h_polytope.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/zonotope.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_support_column_generation {

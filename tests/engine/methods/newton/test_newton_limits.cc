@@ -11,10 +11,9 @@
 #include "raygauge/queries/solver.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/capsule.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
-#include "raygauge/sets/simplex.h"
-#include "raygauge/sets/union_hull.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/point_clouds.h"
 
 namespace raygauge::test_newton_limits {

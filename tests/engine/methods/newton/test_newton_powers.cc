@@ -19,7 +19,7 @@
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
-#include "raygauge/sets/minkowski_sum.h"
+#include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
 #include "raygauge/sets/point_set.h"
 #include "tests/engine/point_clouds.h"
