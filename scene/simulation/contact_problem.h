@@ -7,7 +7,7 @@
 
 #include "raygauge/simulation.h"
 #include "scene/simulation/friction_island.h"
-#include "scene/simulation/near_pairs.h"
+#include "scene/simulation/near_pair.h"
 #include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulated_body.h"
 

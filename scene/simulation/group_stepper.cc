@@ -14,14 +14,35 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostTrials = 30;      // of one substep, shorter each time, down to kShortest
-constexpr int kMostBounces = 200;    // at one moment; then bodies do not rebound any more
 constexpr int kMostCorrections = 3;  // of one contact problem
-constexpr double kDeepest = 0.5;    // of δ: bodies as deep that leave each other are asked to, as in contact
-constexpr double kShortest = 1e-9;  // of the step: shorter substeps make no progress
-constexpr double kUnproven = 1e-2;  // of the step: a substep that could not be proven
+constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
+constexpr double kUnproven = 1e-2;   // of the step: a substep that could not be proven
 // Of a substep whose contacts bend too much: what is tried next. Steps after it are at most twice as long
 // each.
 constexpr double kBent = 0.125;
+
+std::string name_of(const std::vector<SimulatedPart>& parts, int number) {
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [number](const SimulatedPart& one) { return one.owner == number; });
+  return part == parts.end() ? std::to_string(number) : "'" + part->body.name + "'";
+}
+
+[[noreturn]] void refuse_spin(const std::vector<SimulatedPart>& parts, int number, double t) {
+  throw Error("simulation: at " + std::to_string(t) + " s body " + name_of(parts, number) +
+              " spins too fast for its steps to be proven; take shorter ones");
+}
+
+// Bodies that do not react close in on others, which no impulse gets away.
+[[noreturn]] void refuse_jam(const std::vector<int>& jam, const std::vector<SimulatedBody>& bodies,
+                             const std::vector<SimulatedPart>& parts, double t) {
+  std::string around, jammed;
+  for (const int b : jam) {
+    std::string& names = bodies[static_cast<std::size_t>(b)].reacts() ? jammed : around;
+    names += (names.empty() ? "" : ", ") + name_of(parts, b);
+  }
+  throw Error("simulation: at " + std::to_string(t) + " s " + jammed + " is jammed by " + around +
+              ": no impulses keep them apart");
+}
 
 }  // namespace
 
@@ -35,6 +56,7 @@ GroupStepper::GroupStepper(const Dynamics& dynamics, const NearPairs& pairs,
       parts_(std::move(parts)),
       stop_(std::move(stop)),
       pairs_(pairs, bodies_, parts_, counters_),
+      roles_(dynamics_, scales_, bodies_),
       problem_(n_, friction, counters_),
       before_(bodies),
       free_(bodies),
@@ -62,7 +84,7 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
   number_ = number;
   t_ = from;
   end_of_step_ = to;
-  bounces_ = 0;
+  roles_.begin_moment();
   bent_dt_ = kInfinity;
   active_ = group.bodies;
   std::vector<int> members = driven_;
@@ -72,11 +94,11 @@ GroupStep GroupStepper::step(const BodyGroup& group, const std::vector<Simulated
     body(b) = bodies[static_cast<std::size_t>(b)];
     pieces_[static_cast<std::size_t>(b)].clear();
   }
-  remember(group.last, dynamics_.step);
+  last_.remember(group.last, dynamics_.step);
   pairs_.begin(members, group.normals);
   result_.done = go_on(to);
   result_.normals = pairs_.end();
-  result_.last = last_;
+  result_.last = last_.contacts();
   for (const int b : active_) {
     result_.bodies.push_back(body(b));
     result_.pieces.push_back(std::move(pieces_[static_cast<std::size_t>(b)]));
@@ -97,32 +119,10 @@ double GroupStepper::longest_substep(double to) const {
   for (const int b : moved_) dt = std::min(dt, body(b).motion->next_break(t_) - t_);
   for (const int b : active_) {
     const SimulatedBody& body = this->body(b);
-    if (body.spin.norm() * dynamics_.step > kMostRadiansOfStep) refuse_spin(b);
+    if (body.spin.norm() * dynamics_.step > kMostRadiansOfStep) refuse_spin(parts_, b, t_);
     if (n_ == 3 && !constant_spin(body.rotor, body.R, body.L, dt)) dt = std::min(dt, 0.5 / body.spin.norm());
   }
   return dt;
-}
-
-std::string GroupStepper::name_of(int number) const {
-  const auto part = std::find_if(parts_.begin(), parts_.end(),
-                                 [number](const SimulatedPart& one) { return one.owner == number; });
-  return part == parts_.end() ? std::to_string(number) : "'" + part->body.name + "'";
-}
-
-void GroupStepper::refuse_spin(int number) const {
-  throw Error("simulation: at " + std::to_string(t_) + " s body " + name_of(number) +
-              " spins too fast for its steps to be proven; take shorter ones");
-}
-
-// Bodies that do not react close in on others, which no impulse gets away.
-void GroupStepper::refuse_jam() const {
-  std::string around, jammed;
-  for (const int b : problem_.jammed()) {
-    std::string& names = body(b).reacts() ? jammed : around;
-    names += (names.empty() ? "" : ", ") + name_of(b);
-  }
-  throw Error("simulation: at " + std::to_string(t_) + " s " + jammed + " is jammed by " + around +
-              ": no impulses keep them apart");
 }
 
 // To where a body that does not react is now, in all copies.
@@ -147,7 +147,7 @@ bool GroupStepper::go_on(double to) {
     for (const int b : moved_) follow_motion(b);
     for (const int b : active_) body(b).motion = nullptr;
     near_ = &pairs_.find(t_, dt);
-    choose_roles(dt);
+    roles_.choose(*near_, dt);
     if (bounce()) {
       while (bounce()) {
       }
@@ -156,57 +156,6 @@ bool GroupStepper::go_on(double to) {
     if (!move(dt)) result_.row.least_distance = -kInfinity;
   }
   return true;
-}
-
-// How fast a point of contact closes, now.
-double GroupStepper::approach(const NearPair& pair, const GapPoint& point) const {
-  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
-                      &b = bodies_[static_cast<std::size_t>(pair.b)];
-  return -(a.velocity_at(point.at) - b.velocity_at(point.at)).dot(pair.contact.normal);
-}
-
-// The acceleration at which gravity presses them together.
-double GroupStepper::pressing(const NearPair& pair) const {
-  if (!dynamics_.gravity) return 0;
-  const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
-                      &b = bodies_[static_cast<std::size_t>(pair.b)];
-  const double share = (a.reacts() ? 1.0 : 0.0) - (b.reacts() ? 1.0 : 0.0);
-  return -share * dynamics_.gravity->dot(pair.contact.normal);
-}
-
-// A rebound is computed where it leads farther away than δ, before the bodies meet again or within a step.
-bool GroupStepper::is_rebound(const NearPair& pair, double approach) const {
-  const double speed = pair.law.restitution.value_or(0) * approach;
-  if (!(speed > 0) || bounces_ > kMostBounces) return false;
-  const double a = pressing(pair);
-  return (a > 0 ? speed * speed / (2 * a) : speed * dynamics_.step) > scales_.delta;
-}
-
-double GroupStepper::closing_speed(const NearPair& pair) const {
-  double fastest = -kInfinity;
-  for (const GapPoint& point : pair.contact.points) fastest = std::max(fastest, approach(pair, point));
-  return fastest;
-}
-
-// Bodies that meet within the substep and do not rebound are in contact from its beginning, with their gap:
-// no point closes by more than that. So blows without rebound cut no substep.
-PairRole GroupStepper::role_of(const NearPair& pair, double dt) const {
-  const double fastest = pair.closing;
-  const double a = std::max(pressing(pair), 0.0);
-  if (pair.contact.lower <= scales_.touching()) {
-    const bool deep = pair.contact.lower < -kDeepest * scales_.delta;
-    return is_rebound(pair, -fastest) && !deep ? PairRole::leaving : PairRole::contact;
-  }
-  const bool meets = pair.contact.lower - dt * fastest - a * dt * dt <= 0;
-  return meets && !is_rebound(pair, fastest + a * dt) ? PairRole::contact : PairRole::apart;
-}
-
-void GroupStepper::choose_roles(double dt) {
-  for (NearPair& pair : *near_) {
-    pair.closing = closing_speed(pair);
-    pair.role = role_of(pair, dt);
-    pair.correction = 0;
-  }
 }
 
 // Newton's law at the points that touch and close: u_n after = -e u_n before, with friction. Points that do
@@ -218,9 +167,9 @@ bool GroupStepper::bounce() {
     if (pair.contact.lower > scales_.touching()) continue;
     for (const GapPoint& point : pair.contact.points) {
       if (point.gap > scales_.touching()) continue;
-      const double speed = approach(pair, point);
+      const double speed = roles_.approach(pair, point);
       if (!(speed > 0)) continue;
-      const bool rebound = is_rebound(pair, speed);
+      const bool rebound = roles_.is_rebound(pair, speed);
       any = any || rebound;
       contacts.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
                           rebound ? -*pair.law.restitution * speed : 0.0, pair.law.friction,
@@ -228,14 +177,14 @@ bool GroupStepper::bounce() {
     }
   }
   if (!any) return false;
-  ++bounces_;
+  roles_.count_bounce();
   ++result_.row.impacts;
   ++counters_.impact_problems;
   save(free_);
   const double residual = problem_.solve(contacts, bodies_);
   if (!problem_.jammed().empty()) {  // the substep will tell
     restore(free_);
-    bounces_ = kMostBounces + 1;
+    roles_.end_bounces();
     return false;
   }
   result_.row.residual = std::max(result_.row.residual, residual);
@@ -267,9 +216,9 @@ bool GroupStepper::move(double dt) {
     if (!possible) {
       dt /= 2;
       restore(before_);
-      if (jams() && dt < kShortest * dynamics_.step) refuse_jam();
+      if (jams() && dt < kShortest * dynamics_.step) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
       if (jams()) bent_dt_ = dt;
-      choose_roles(dt);  // what was asked of the longer one is no longer
+      roles_.choose(*near_, dt);  // what was asked of the longer one is no longer
       continue;
     }
     const double end = end_of(dt);
@@ -284,9 +233,9 @@ bool GroupStepper::move(double dt) {
     if (shorter == 0) break;
     dt = shorter;
     restore(before_);
-    choose_roles(dt);
+    roles_.choose(*near_, dt);
   }
-  if (jams()) refuse_jam();
+  if (jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
   move_unproven(std::min(asked, kUnproven * dynamics_.step));
   return false;
 }
@@ -295,7 +244,7 @@ void GroupStepper::move_unproven(double dt) {
   bent_dt_ = kInfinity;
   restore(before_);
   for (int trial = 0; !push_and_move(dt); ++trial) {
-    if (trial == kMostTrials && jams()) refuse_jam();
+    if (trial == kMostTrials && jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
     if (trial == kMostTrials) throw InvalidParameterError("dynamics: a body spins too fast");
     dt /= 2;
     restore(before_);

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "raygauge/simulation.h"
 #include "scene/simulation/contact_problem.h"
+#include "scene/simulation/contact_roles.h"
+#include "scene/simulation/impulse_memory.h"
 #include "scene/simulation/near_pairs.h"
 #include "scene/simulation/simulation_part.h"
 
@@ -56,34 +57,21 @@ class GroupStepper {
   void restore(const std::vector<SimulatedBody>& from) { copy_active(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
-  std::string name_of(int number) const;
-  [[noreturn]] void refuse_spin(int number) const;
-  [[noreturn]] void refuse_jam() const;
   bool jams() const { return !contacts_.empty() && !problem_.jammed().empty(); }
   void follow_motion(int number);
-  void choose_roles(double dt);
-  double closing_speed(const NearPair& pair) const;
-  PairRole role_of(const NearPair& pair, double dt) const;
-  bool is_rebound(const NearPair& pair, double approach) const;
   bool bounce();
   bool move(double dt);
   void move_unproven(double dt);
   double end_of(double dt) const;
   double shorter_than(double dt, double proven, int trial);
   bool push_and_move(double dt);
-  void accelerate(SimulatedBody& body, double dt);
-  bool give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed);
   bool catch_closing(double dt);
   bool corrected(double dt);
   double correction(const NearPair& pair, double dt, PairTools& tools);
-  void remember(const std::vector<ContactUnknown>& contacts, double dt);
-  Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point, double dt) const;
   bool limit_energy(std::vector<ContactUnknown>& contacts, std::vector<double> allowed);
   void limit_pushes(double end);
   void commit(double end);
   void record_contacts(const std::vector<ContactUnknown>& contacts, bool impact);
-  double pressing(const NearPair& pair) const;
-  double approach(const NearPair& pair, const GapPoint& point) const;
 
   const Dynamics& dynamics_;
   int n_;
@@ -93,6 +81,7 @@ class GroupStepper {
   std::function<bool()> stop_;
   SimulationCounters counters_;
   NearPairs pairs_;
+  ContactRoles roles_;
   ContactProblem problem_;
   std::vector<SimulatedBody> before_;  // the substep in work
   std::vector<SimulatedBody> free_;    // before its impulses
@@ -108,12 +97,10 @@ class GroupStepper {
   std::vector<NearPair>* near_ = nullptr;
   std::vector<double> more_;              // that near pairs are to be asked for
   std::vector<ContactUnknown> contacts_;  // of the substep in work
-  std::vector<ContactUnknown> last_;      // of the problem before, ...
-  double last_dt_ = 0;                    // ... which was asked for so long a time
+  ImpulseMemory last_;                    // of the problem before
   std::vector<bool> pushed_;              // bodies with an impulse of contacts_
   double residual_ = 0;                   // of the contact problem of the substep in work
   double bent_dt_ = 0;                    // the last substep that was shortened because contacts bend
-  int bounces_ = 0;                       // at this moment
 };
 
 }  // namespace raygauge

@@ -12,10 +12,11 @@
 namespace raygauge {
 namespace {
 
-constexpr double kDeep = 0.25;      // of δ: pairs end a step no deeper, where they did not begin it so
-constexpr double kSag = 0.6;        // of δ: half way they are no deeper, or than where they began
-constexpr double kStill = 1e-13;    // of its reach: a body that a push moves less stays where it is
-constexpr double kRecovered = 0.8;  // what is left of the depth of those that did
+constexpr double kDeep = 0.25;       // of δ: pairs end a step no deeper, where they did not begin it so
+constexpr double kSag = 0.6;         // of δ: half way they are no deeper, or than where they began
+constexpr double kStill = 1e-13;     // of its reach: a body that a push moves less stays where it is
+constexpr double kSamePoint = 1e-2;  // of the reach of the first body: points of contact that are one
+constexpr double kRecovered = 0.8;   // what is left of the depth of those that did
 // Of δ, and of the smaller body: gaps below are 0. To close them an arch would wedge its stones in, and the
 // points of a face would be asked for velocities that no rigid body has.
 constexpr double kRounding = 1e-8, kRoundingOfReach = 0x1p-44;
@@ -25,14 +26,45 @@ Eigen::Matrix3d polished(const Eigen::Matrix3d& R) {
   return R * (1.5 * Eigen::Matrix3d::Identity() - 0.5 * R.transpose() * R);
 }
 
-constexpr auto kByBodies = [](const auto& one, const auto& other) {
-  return std::pair(one.a, one.b) < std::pair(other.a, other.b);
-};
-
 Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
   const double size = angle.norm();
   if (!(size > 0)) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(size, angle / size).toRotationMatrix();
+}
+
+// Damping by the midpoint rule: v' = g - c v.
+void accelerate(const Dynamics& dynamics, double dt, SimulatedBody& body, SimulationCounters& counters) {
+  const Eigen::Vector3d g = dynamics.gravity.value_or(Eigen::Vector3d::Zero());
+  if (!dynamics.damping) {
+    body.v += dt * g;
+    return;
+  }
+  ++counters.damped_velocities;
+  const double c = dynamics.damping->linear * dt / 2, d = dynamics.damping->angular * dt / 2;
+  body.v = ((1 - c) * body.v + dt * g) / (1 + c);
+  body.L *= (1 - d) / (1 + d);
+  body.spin = body.rotor.spin(body.R, body.L);
+}
+
+// A body that was pushed moves at its new velocity, one in flight on its parabola.
+bool give_motion(SimulatedBody& body, const SimulatedBody& before, double t, double dt, bool pushed, int n) {
+  TwistMotion::Rates rates;
+  const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
+  const auto spin = n == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
+                           : constant_spin(body.rotor, body.R, L, dt);
+  if (!spin) return false;
+  rates.spin = *spin;
+  rates.velocity = SmallVector((pushed ? body.v : before.v).head(n));
+  if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n));
+  body.still = pushed && (rates.velocity.norm() + rates.spin.norm() * body.reach) * dt <= kStill * body.reach;
+  if (body.still) {
+    rates.velocity.setZero();
+    rates.spin.setZero();
+  }
+  const Placement first{SmallMatrix(body.R.topLeftCorner(n, n)), SmallVector(body.x.head(n))};
+  body.motion = std::make_shared<TwistMotion>(first, rates, t);
+  body.piece = {t, first, rates};
+  return true;
 }
 
 }  // namespace
@@ -40,7 +72,7 @@ Eigen::Matrix3d turn_of(const Eigen::Vector3d& angle) {
 // Forces, impulses, then the motions over dt. False where a body turns too far for
 // one, or is jammed.
 bool GroupStepper::push_and_move(double dt) {
-  for (const int b : active_) accelerate(body(b), dt);
+  for (const int b : active_) accelerate(dynamics_, dt, body(b), counters_);
   save(free_);
   contacts_.clear();
   for (const NearPair& pair : *near_) {
@@ -52,12 +84,13 @@ bool GroupStepper::push_and_move(double dt) {
       const double gap = std::fabs(point.gap) < rounding ? 0 : point.gap;
       const double now = gap / (gap < 0 ? dynamics_.step : dt);
       contacts_.push_back({pair.a, pair.b, point.at, pair.contact.normal, point.gap,
-                           now + pair.correction / dt, pair.law.friction, guess(pair, point, dt)});
+                           now + pair.correction / dt, pair.law.friction,
+                           last_.guess(pair, point, kSamePoint * body(pair.a).reach, dt)});
     }
   }
   residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
   if (jams()) return false;
-  remember(contacts_, dt);
+  last_.remember(contacts_, dt);
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {
     if (contact.impulse.isZero(0)) continue;
@@ -65,62 +98,8 @@ bool GroupStepper::push_and_move(double dt) {
   }
   return std::all_of(active_.begin(), active_.end(), [&](int number) {
     const auto b = static_cast<std::size_t>(number);
-    return give_motion(bodies_[b], before_[b], dt, pushed_[b]);
+    return give_motion(bodies_[b], before_[b], t_, dt, pushed_[b], n_);
   });
-}
-
-// By their bodies.
-void GroupStepper::remember(const std::vector<ContactUnknown>& contacts, double dt) {
-  last_ = contacts;
-  last_dt_ = dt;
-  if (!std::is_sorted(last_.begin(), last_.end(), kByBodies))
-    std::stable_sort(last_.begin(), last_.end(), kByBodies);
-}
-
-// The impulse at the same point in the problem before, of the last substep or as this one was asked first. Of
-// a shorter time a smaller one; blows do not grow with it.
-Eigen::Vector3d GroupStepper::guess(const NearPair& pair, const GapPoint& point, double dt) const {
-  const double near = 1e-2 * body(pair.a).reach;
-  const auto [first, end] = std::equal_range(last_.begin(), last_.end(), pair, kByBodies);
-  const auto before =
-      std::find_if(first, end, [&](const ContactUnknown& one) { return (one.at - point.at).norm() < near; });
-  if (before == end) return Eigen::Vector3d::Zero();
-  return std::min(1.0, dt / last_dt_) * before->impulse;
-}
-
-// Damping by the midpoint rule: v' = g - c v.
-void GroupStepper::accelerate(SimulatedBody& body, double dt) {
-  const Eigen::Vector3d g = dynamics_.gravity.value_or(Eigen::Vector3d::Zero());
-  if (!dynamics_.damping) {
-    body.v += dt * g;
-    return;
-  }
-  ++counters_.damped_velocities;
-  const double c = dynamics_.damping->linear * dt / 2, d = dynamics_.damping->angular * dt / 2;
-  body.v = ((1 - c) * body.v + dt * g) / (1 + c);
-  body.L *= (1 - d) / (1 + d);
-  body.spin = body.rotor.spin(body.R, body.L);
-}
-
-// A body that was pushed moves at its new velocity, one in flight on its parabola.
-bool GroupStepper::give_motion(SimulatedBody& body, const SimulatedBody& before, double dt, bool pushed) {
-  TwistMotion::Rates rates;
-  const Eigen::Vector3d L = pushed ? body.L : Eigen::Vector3d((before.L + body.L) / 2);
-  const auto spin = n_ == 2 ? std::optional(Eigen::Vector3d(0, 0, L[2] / body.rotor.J(2, 2)))
-                            : constant_spin(body.rotor, body.R, L, dt);
-  if (!spin) return false;
-  rates.spin = *spin;
-  rates.velocity = SmallVector((pushed ? body.v : before.v).head(n_));
-  if (!pushed && body.v != before.v) rates.acceleration = SmallVector(((body.v - before.v) / dt).head(n_));
-  body.still = pushed && (rates.velocity.norm() + rates.spin.norm() * body.reach) * dt <= kStill * body.reach;
-  if (body.still) {
-    rates.velocity.setZero();
-    rates.spin.setZero();
-  }
-  const Placement first{SmallMatrix(body.R.topLeftCorner(n_, n_)), SmallVector(body.x.head(n_))};
-  body.motion = std::make_shared<TwistMotion>(first, rates, t_);
-  body.piece = {t_, first, rates};
-  return true;
 }
 
 // Pairs that were thought to stay apart or to separate, but that the impulses of others close: they join the
@@ -132,10 +111,10 @@ bool GroupStepper::catch_closing(double dt) {
     if (pair.role == PairRole::contact) continue;
     const bool flies =
         !pushed_[static_cast<std::size_t>(pair.a)] && !pushed_[static_cast<std::size_t>(pair.b)];
-    const double closing = flies ? 0 : closing_speed(pair);
+    const double closing = flies ? 0 : roles_.closing_speed(pair);
     if (!(closing > 0)) continue;
     const bool touches = pair.contact.lower <= scales_.touching();
-    if (!touches && (pair.contact.lower > dt * closing || is_rebound(pair, closing))) continue;
+    if (!touches && (pair.contact.lower > dt * closing || roles_.is_rebound(pair, closing))) continue;
     pair.role = PairRole::contact;
     any = true;
   }
@@ -177,7 +156,7 @@ double GroupStepper::correction(const NearPair& pair, double dt, PairTools& tool
     const double for_sag = std::min(2 * (sag + deepest) - start, kDeep * scales_.delta);
     return last - std::max(least, for_sag);
   };
-  if (lacking(pairs_.plane_distance_at(pair, end_of(dt))) >= 0) return 0;
+  if (lacking(pairs_.looks().between_planes_at(pair, end_of(dt))) >= 0) return 0;
   const double closer = lacking(pairs_.distance_at(pair, end_of(dt), tools));
   return closer < 0 ? closer - share * kDeep / 2 * scales_.delta : 0;
 }
@@ -236,7 +215,7 @@ void GroupStepper::commit(double end) {
   result_.row.contacts += static_cast<std::int64_t>(contacts_.size());
   result_.row.residual = std::max(result_.row.residual, residual_);
   record_contacts(contacts_, false);
-  bounces_ = 0;
+  roles_.begin_moment();
   t_ = end;
   for (const int b : active_) {
     SimulatedBody& body = this->body(b);

@@ -4,20 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
-#include <set>
 #include <utility>
 
 #include "raygauge/exceptions.h"
-#include "raygauge/sets/half_space.h"
 #include "scene/queries/plane_steps.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kOutward = 1 + 1e-9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1e-12;       // of what is added up
 constexpr std::size_t kWorthWaking = 32;  // pairs, once a step
 
 // To a few digits, so that the last bits of a step's length tell no band from another.
@@ -27,68 +23,31 @@ double rounded_up(double band) {
   return std::ldexp(std::ceil(mantissa * 16) / 16, exponent);
 }
 
-// Around a part of a body that stands, by support points: closer than around the ball, of a wall or a floor.
-std::optional<Eigen::AlignedBox3d> standing_box(const SimulatedPart& part, const SimulatedBody& owner) {
-  const ConvexSet& S = *part.body.parts.front().set;
-  if (owner.reacts() || !owner.motion->is_static() || as_half_space(S) != nullptr) return std::nullopt;
-  const int n = S.dimension();
-  const Placement at = owner.motion->at(0);
-  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = low;
-  Eigen::VectorXd point(n);
-  for (int k = 0; k < n; ++k) {
-    const Eigen::VectorXd axis = at.R.row(k).transpose(), back = -axis;
-    high[k] = at.t[k] + S.support_unchecked(axis.data(), point.data());
-    low[k] = at.t[k] - S.support_unchecked(back.data(), point.data());
-  }
-  return Eigen::AlignedBox3d(low, high);
-}
-
 }  // namespace
 
 NearPairs::NearPairs(const Scene& scene, const Dynamics& dynamics, const std::vector<SimulatedBody>& bodies,
                      std::vector<SimulatedPart>& parts, ContactScales scales, SimulationCounters& counters)
-    : dynamics_(dynamics),
-      bodies_(bodies),
+    : bodies_(bodies),
       parts_(parts),
       scales_(scales),
       counters_(counters),
       n_(scene.dimension()),
-      candidates_(std::make_shared<std::vector<Candidate>>()),
-      parts_of_(bodies.size()),
-      scope_(parts.size()) {
+      sweep_(scene, dynamics, bodies, parts, counters),
+      looks_(bodies, parts, scales, n_),
+      proofs_(looks_, parts, scales, n_) {
   add_tools();
-  std::iota(scope_.begin(), scope_.end(), 0);
-  std::set<BodyPair> ignored;
-  for (const auto& [a, b] : scene.ignored) ignored.insert({std::min(a, b), std::max(a, b)});
-  for (const int i : scope_) parts_of_[static_cast<std::size_t>(part(i).owner)].push_back(i);
-  for (const SimulatedPart& part : parts)
-    standing_.push_back(standing_box(part, bodies[static_cast<std::size_t>(part.owner)]));
-  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-    for (int j = i + 1; j < static_cast<int>(parts.size()); ++j) {
-      const int a = parts[static_cast<std::size_t>(i)].owner, b = parts[static_cast<std::size_t>(j)].owner;
-      const bool reacts =
-          bodies[static_cast<std::size_t>(a)].reacts() || bodies[static_cast<std::size_t>(b)].reacts();
-      if (a == b || !reacts || ignored.count({std::min(a, b), std::max(a, b)}) != 0) continue;
-      if (const auto law = dynamics.law_of(a, b))
-        candidates_->push_back({i, j, *law, Eigen::Vector3d::UnitX(), -1, nullptr});
-    }
-  }
-  number_candidates();
 }
 
 NearPairs::NearPairs(const NearPairs& all, const std::vector<SimulatedBody>& bodies,
                      std::vector<SimulatedPart>& parts, SimulationCounters& counters)
-    : dynamics_(all.dynamics_),
-      bodies_(bodies),
+    : bodies_(bodies),
       parts_(parts),
       scales_(all.scales_),
       counters_(counters),
       n_(all.n_),
-      candidates_(all.candidates_),
-      first_candidates_(all.first_candidates_),
-      parts_of_(all.parts_of_),
-      scope_(all.scope_),
-      standing_(all.standing_) {
+      sweep_(all.sweep_, bodies, parts, counters),
+      looks_(bodies, parts, scales_, n_),
+      proofs_(looks_, parts, scales_, n_) {
   add_tools();
 }
 
@@ -114,133 +73,34 @@ void NearPairs::take_counters() {
   for (const auto& tools : tools_.all()) counters_ += std::exchange(tools->counters, SimulationCounters());
 }
 
-// Of the ball around a part.
-Eigen::Vector3d NearPairs::middle(int number) const {
-  const SimulatedPart& p = this->part(number);
-  const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
-  Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  c.head(n_) = p.body.ball.center;
-  return body.x + body.R * c;
-}
-
-// No point of a part moves farther within dt, as its body moves.
-double NearPairs::travel(int number, double t, double dt) const {
-  const SimulatedPart& p = this->part(number);
-  const SimulatedBody& body = bodies_[static_cast<std::size_t>(p.owner)];
-  if (body.motion != nullptr) return body.motion->bound(t, t + dt).speed(p.body.reach) * dt;
-  const double g = dynamics_.gravity ? dynamics_.gravity->norm() : 0.0;
-  return (body.v.norm() + g * dt + body.spin.norm() * p.body.reach) * dt;
-}
-
-void NearPairs::number_candidates() {
-  first_candidates_.assign(parts_.size() + 1, candidates_->size());
-  for (std::size_t k = candidates_->size(); k-- > 0;)
-    first_candidates_[static_cast<std::size_t>((*candidates_)[k].part_a)] = k;
-  for (std::size_t i = parts_.size(); i-- > 0;)
-    first_candidates_[i] = std::min(first_candidates_[i], first_candidates_[i + 1]);
-}
-
-// At the place that it has where every part after the first makes a candidate with it, or before.
-NearPairs::Candidate* NearPairs::candidate_of(int part_a, int part_b) {
-  const auto [first, second] = std::minmax(part_a, part_b);
-  const auto row = candidates_->begin();
-  const auto begin = row + static_cast<std::ptrdiff_t>(first_candidates_[static_cast<std::size_t>(first)]);
-  const auto end = row + static_cast<std::ptrdiff_t>(first_candidates_[static_cast<std::size_t>(first) + 1]);
-  const std::ptrdiff_t place = second - first - 1;
-  if (place < end - begin && begin[place].part_b == second) return &begin[place];
-  const auto found = std::lower_bound(begin, end, second,
-                                      [](const Candidate& one, int wanted) { return one.part_b < wanted; });
-  return found != end && found->part_b == second ? &*found : nullptr;
-}
-
-void NearPairs::take_travels(double t, double dt) {
-  swept_.resize(parts_.size());
-  for (const int i : scope_) swept_[static_cast<std::size_t>(i)].travel = travel(i, t, dt);
-}
-
-void NearPairs::sweep(double t, double dt, double beyond) {
-  take_travels(t, dt);
-  sweep(beyond);
-}
-
-// Which candidates may come closer than `beyond` within their travels: of parts whose boxes meet, in the
-// order of candidates_.
-void NearPairs::sweep(double beyond) {
-  order_ = scope_;
-  for (const int i : scope_) {
-    Swept& one = swept_[static_cast<std::size_t>(i)];
-    one.middle = middle(i);
-    const auto& standing = standing_[static_cast<std::size_t>(i)];
-    const double radius = standing ? 0 : part(i).body.ball.radius;
-    // With more than the rounding that may_meet() allows for.
-    const double size = one.middle.norm() + part(i).body.ball.radius;
-    const double reach = (radius + one.travel + beyond + 1e-11 * size) * kOutward;
-    const bool bounded = std::isfinite(reach);
-    const Eigen::AlignedBox3d box = standing ? *standing : Eigen::AlignedBox3d(one.middle);
-    one.low = bounded ? Eigen::Vector3d(box.min().array() - reach) : Eigen::Vector3d::Constant(-kInfinity);
-    one.high = bounded ? Eigen::Vector3d(box.max().array() + reach) : Eigen::Vector3d::Constant(kInfinity);
-  }
-  const auto swept = [this](int i) -> const Swept& { return swept_[static_cast<std::size_t>(i)]; };
-  std::sort(order_.begin(), order_.end(),
-            [&swept](int i, int j) { return std::pair(swept(i).low[0], i) < std::pair(swept(j).low[0], j); });
-  may_meet_.clear();
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    const Swept& one = swept(order_[i]);
-    for (std::size_t j = i + 1; j < order_.size() && swept(order_[j]).low[0] <= one.high[0]; ++j) {
-      const Swept& other = swept(order_[j]);
-      if ((other.low.array() > one.high.array() || one.low.array() > other.high.array()).any()) continue;
-      Candidate* candidate = candidate_of(order_[i], order_[j]);
-      if (candidate != nullptr && may_meet(*candidate, beyond)) may_meet_.push_back(candidate);
-    }
-  }
-  std::sort(may_meet_.begin(), may_meet_.end());
-}
-
-bool NearPairs::may_meet(const Candidate& candidate, double beyond) {
-  ++counters_.ball_tests;
-  const auto a = static_cast<std::size_t>(candidate.part_a), b = static_cast<std::size_t>(candidate.part_b);
-  const Eigen::Vector3d &from = swept_[a].middle, &to = swept_[b].middle;
-  const double radii = parts_[a].body.ball.radius + parts_[b].body.ball.radius;
-  const double reached = radii + swept_[a].travel + swept_[b].travel + beyond;
-  return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
-}
-
 // Before its step, a body's motion is not known: its travel is that of its velocities.
 std::vector<NearPair>& NearPairs::find(double t, double dt) {
-  for (const NearPair& pair : near_) candidate_of(pair.part_a, pair.part_b)->near = -1;
+  for (const NearPair& pair : near_) sweep_.find(pair.part_a, pair.part_b)->near = -1;
   std::swap(before_, near_);
   near_.clear();
-  sweep(t, dt, scales_.delta);
-  found_.resize(may_meet_.size());
-  for_each(may_meet_.size(), [this](std::size_t k, PairTools& tools) {
-    Candidate& candidate = *may_meet_[k];
-    const double band = rounded_up(2 * (swept_[static_cast<std::size_t>(candidate.part_a)].travel +
-                                        swept_[static_cast<std::size_t>(candidate.part_b)].travel) +
-                                   scales_.delta);
-    found_[k] = contact_now(candidate, band, band, tools);
+  const std::vector<CandidatePair*>& met = sweep_.sweep(t, dt, scales_.delta);
+  found_.resize(met.size());
+  for_each(met.size(), [this, &met](std::size_t k, PairTools& tools) {
+    const double band = rounded_up(2 * sweep_.travels(*met[k]) + scales_.delta);
+    found_[k] = looks_.now(*met[k], band, band, tools);
   });
-  for (std::size_t k = 0; k < may_meet_.size(); ++k) {
+  for (std::size_t k = 0; k < met.size(); ++k) {
     if (found_[k] == nullptr || found_[k]->points.empty()) continue;
-    Candidate& candidate = *may_meet_[k];
+    CandidatePair& candidate = *met[k];
     candidate.normal = found_[k]->normal;
     candidate.near = static_cast<int>(near_.size());
     near_.push_back({candidate.part_a, candidate.part_b, part(candidate.part_a).owner,
                      part(candidate.part_b).owner, candidate.law, *found_[k], 0, PairRole::apart, 0});
   }
   for (const NearPair& pair : before_) {
-    Candidate& candidate = *candidate_of(pair.part_a, pair.part_b);
+    CandidatePair& candidate = *sweep_.find(pair.part_a, pair.part_b);
     if (candidate.near < 0) candidate.normal = Eigen::Vector3d::UnitX();
   }
   return near_;
 }
 
 void NearPairs::begin(const std::vector<int>& members, const std::vector<KnownNormal>& known) {
-  scope_.clear();
-  for (const int b : members) {
-    const std::vector<int>& own = parts_of_[static_cast<std::size_t>(b)];
-    scope_.insert(scope_.end(), own.begin(), own.end());
-  }
-  std::sort(scope_.begin(), scope_.end());
+  sweep_.take(members);
   recall(known);
   for (const KnownNormal& one : known) {
     NearPair& pair = near_.emplace_back();
@@ -254,7 +114,7 @@ std::vector<KnownNormal> NearPairs::end() {
   std::vector<KnownNormal> all;
   for (const NearPair& pair : near_) {
     all.push_back({pair.part_a, pair.part_b, pair.contact.normal});
-    Candidate& candidate = *candidate_of(pair.part_a, pair.part_b);
+    CandidatePair& candidate = *sweep_.find(pair.part_a, pair.part_b);
     candidate.normal = Eigen::Vector3d::UnitX();
     candidate.near = -1;
   }
@@ -264,55 +124,105 @@ std::vector<KnownNormal> NearPairs::end() {
 
 void NearPairs::recall(const std::vector<KnownNormal>& known) {
   for (const KnownNormal& one : known) {
-    Candidate* const candidate = candidate_of(one.part_a, one.part_b);
+    CandidatePair* const candidate = sweep_.find(one.part_a, one.part_b);
     if (candidate == nullptr) throw InvalidParameterError("simulation: a part is of another scene");
     candidate->normal = one.normal;
   }
 }
 
 void NearPairs::forget(const std::vector<KnownNormal>& known) {
-  for (const KnownNormal& one : known)
-    candidate_of(one.part_a, one.part_b)->normal = Eigen::Vector3d::UnitX();
+  for (const KnownNormal& one : known) sweep_.find(one.part_a, one.part_b)->normal = Eigen::Vector3d::UnitX();
 }
 
 // Parts whose balls come near are looked at as the group's find() will, which then knows.
 std::vector<std::pair<int, int>> NearPairs::meeting(double t, double dt, const std::vector<double>& ways) {
-  scope_.clear();
-  swept_.resize(parts_.size());
+  sweep_.take_reacting(ways);
   std::vector<double> travels(parts_.size(), 0);
-  for (int i = 0; i < static_cast<int>(parts_.size()); ++i) {
-    const auto owner = static_cast<std::size_t>(part(i).owner);
-    if (!bodies_[owner].reacts()) continue;
-    scope_.push_back(i);
-    swept_[static_cast<std::size_t>(i)].travel = ways[owner];
-    travels[static_cast<std::size_t>(i)] = travel(i, t, dt);
-  }
-  sweep(scales_.delta);
-  std::vector<std::pair<int, int>> all;
-  const auto meets = [this](const Candidate& met) {
-    const double both = swept_[static_cast<std::size_t>(met.part_a)].travel +
-                        swept_[static_cast<std::size_t>(met.part_b)].travel;
-    return both * kOutward + scales_.delta;
+  for (const int i : sweep_.scope()) travels[static_cast<std::size_t>(i)] = sweep_.travel(i, t, dt);
+  const std::vector<CandidatePair*>& all = sweep_.sweep(scales_.delta);
+  const auto meets = [this](const CandidatePair& met) {
+    return sweep_.travels(met) * kOutward + scales_.delta;
   };
-  found_.resize(may_meet_.size());
+  found_.resize(all.size());
   const auto look = [&](std::size_t k, PairTools& tools) {
-    Candidate& met = *may_meet_[k];
+    CandidatePair& met = *all[k];
     const double both =
         travels[static_cast<std::size_t>(met.part_a)] + travels[static_cast<std::size_t>(met.part_b)];
     const double band = rounded_up(2 * both + scales_.delta);
-    found_[k] = contact_now(met, band, std::max(band, meets(met)), tools);
+    found_[k] = looks_.now(met, band, std::max(band, meets(met)), tools);
   };
-  for_each(may_meet_.size(), look, may_meet_.size() >= kWorthWaking);
-  for (std::size_t k = 0; k < may_meet_.size(); ++k) {
-    const Candidate& met = *may_meet_[k];
+  for_each(all.size(), look, all.size() >= kWorthWaking);
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const CandidatePair& met = *all[k];
     if (found_[k] == nullptr || found_[k]->lower > meets(met)) continue;
-    all.emplace_back(part(met.part_a).owner, part(met.part_b).owner);
+    pairs.emplace_back(part(met.part_a).owner, part(met.part_b).owner);
   }
-  return all;
+  return pairs;
+}
+
+double NearPairs::distance_at(const NearPair& pair, double end, PairTools& tools) {
+  return looks_.at(*sweep_.find(pair.part_a, pair.part_b), end, scales_.delta, tools).lower;
+}
+
+// Every pair is asked about the whole time, so that no answer depends on which was asked first.
+double NearPairs::proven_until(double t, double end) {
+  hand_motions();
+  nothing_touched_ = true;
+  in_doubt_.clear();
+  for (CandidatePair* const candidate : sweep_.sweep(t, end - t, scales_.arrival())) {
+    nothing_touched_ = nothing_touched_ && touching(*candidate) == nullptr;
+    if (!is_known_proven(*candidate)) in_doubt_.push_back(candidate);
+  }
+  proven_.resize(in_doubt_.size());
+  for_each(in_doubt_.size(), [this, t, end](std::size_t k, PairTools& tools) {
+    proven_[k] = proofs_.until(*in_doubt_[k], touching(*in_doubt_[k]), t, end, tools);
+  });
+  double proven = end;
+  for (std::size_t k = 0; k < in_doubt_.size(); ++k) {
+    if (!(proven_[k] < proven)) continue;
+    proven = proven_[k];
+    const NearPair* const near = touching(*in_doubt_[k]);
+    contact_ended_proof_ = near != nullptr && near->role == PairRole::contact;
+  }
+  return proven;
+}
+
+double NearPairs::least_distance(double t, double end) {
+  constexpr int kMostHalvings = 12;
+  hand_motions();
+  double least = 0;
+  PairTools& tools = *tools_.all().front();
+  for (const CandidatePair* const met : sweep_.sweep(t, end - t, 0)) {
+    ++tools.counters.motion_proofs;
+    const double band = scales_.delta + sweep_.travels(*met);
+    const PairProofs::TimedLook first{t, looks_.at(*met, t, band, tools)};
+    const PairProofs::TimedLook last{end, looks_.at(*met, end, band, tools)};
+    least = std::min(least, proofs_.least(*met, first, last, least, kMostHalvings, tools));
+  }
+  take_counters();
+  return least;
+}
+
+const NearPair* NearPairs::touching(const CandidatePair& candidate) const {
+  if (candidate.near < 0) return nullptr;
+  const NearPair& pair = near_[static_cast<std::size_t>(candidate.near)];
+  return pair.role == PairRole::apart ? nullptr : &pair;
+}
+
+// Without any work: they lie still, or were so far apart before this substep, as was just found, that their
+// ways do not lead to `arrival`.
+bool NearPairs::is_known_proven(const CandidatePair& candidate) const {
+  if (const NearPair* const near = touching(candidate))
+    return looks_.stays(candidate, -proofs_.most_overlap(*near));
+  const double rounding =
+      kRounding * (sweep_.of(candidate.part_a).middle.norm() + sweep_.of(candidate.part_b).middle.norm());
+  const double reached = (sweep_.travels(candidate) + scales_.arrival() + rounding) * kOutward;
+  return looks_.is_known_apart(candidate, reached) || looks_.stays(candidate, scales_.arrival());
 }
 
 void NearPairs::hand_motions() {
-  for (const int i : scope_) {
+  for (const int i : sweep_.scope()) {
     SimulatedPart& part = parts_[static_cast<std::size_t>(i)];
     part.body.motion = bodies_[static_cast<std::size_t>(part.owner)].motion;
   }

@@ -2,57 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Geometry>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/threads/shared_tools.h"
-#include "raygauge/scene/continuous.h"
 #include "raygauge/simulation.h"
-#include "scene/simulation/contact_finder.h"
+#include "scene/simulation/near_pair.h"
+#include "scene/simulation/pair_looks.h"
+#include "scene/simulation/pair_proofs.h"
+#include "scene/simulation/part_sweep.h"
 #include "scene/simulation/shared_work.h"
 #include "scene/simulation/simulated_body.h"
 #include "scene/simulation/simulation_part.h"
 
 namespace raygauge {
-
-/// What a step does with two parts that are near each other.
-enum class PairRole : std::uint8_t {
-  apart,    ///< it takes care that they do not touch before its end
-  contact,  ///< they belong to the contact problem
-  leaving,  ///< they touch and separate
-};
-
-/// Two parts that may meet within a step.
-struct NearPair {
-  int part_a = 0, part_b = 0;
-  int a = 0, b = 0;  ///< bodies
-  ContactLaw law;
-  PartContact contact;
-  double closing = 0;  ///< the highest speed at which a point of the contact closes, before the step
-  PairRole role = PairRole::apart;
-  double correction = 0;  ///< <= 0: what the end of the step was closer than its contact problem said
-};
-
-/// Distances that matter, in units of the scene.
-struct ContactScales {
-  double delta = 0;                                       ///< δ
-  double touching() const noexcept { return delta / 2; }  ///< from here on bodies touch
-  double arrival() const noexcept { return delta / 4; }   ///< the distance at which an impact is computed
-};
-
-/// What one thread needs to look at pairs. It counts for itself.
-struct PairTools {
-  PairTools(int dimension, double miss);
-  ~PairTools();
-
-  Pose pose_a, pose_b;
-  ContactFinder finder;
-  ContinuousSolver solver;
-  std::unique_ptr<class PairSolver> planes;
-  SimulationCounters counters;
-};
 
 /// Which parts are near each other, and what is proven of them over a substep. One a simulation.
 class NearPairs {
@@ -98,12 +62,11 @@ class NearPairs {
     for_each(near_.size(), work);
   }
 
+  /// How pairs are looked at.
+  const PairLooks& looks() const noexcept { return looks_; }
+
   /// A lower bound on the signed distance at the end of their motions.
   double distance_at(const NearPair& pair, double end, PairTools& tools);
-
-  /// The same by planes across the normal where they are now, or as either body turns it: sooner known, not
-  /// as close, and true but for rounding. -infinity of a half-space.
-  double plane_distance_at(const NearPair& pair, double end) const;
 
   /// The time up to which it is proven that no pair comes closer than -δ, as the bodies' motions have them.
   /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.
@@ -121,65 +84,9 @@ class NearPairs {
   bool nothing_touched() const noexcept { return nothing_touched_; }
 
  private:
-  // What a look() found, and of what; or that planes across its normal are so far apart now (no band).
-  struct KnownLook {
-    Placement at_a, at_b;
-    Eigen::Vector3d previous;  // normal
-    double band = -1;
-    PartContact contact;
-
-    bool is_of(const Placement& a, const Placement& b) const;
-  };
-
-  struct Candidate {
-    int part_a, part_b;
-    ContactLaw law;
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< of the last find(), where it was near
-    int near = -1;                                      ///< its number among the near pairs
-    std::unique_ptr<KnownLook> known;                   ///< the last one, of few candidates
-  };
-
-  struct TimedLook {
-    double time;
-    PartContact contact;
-  };
-
-  // The ball around a part, and how far it may move.
-  struct Swept {
-    Eigen::Vector3d middle;
-    double travel = 0;
-    Eigen::Vector3d low, high;  // of a box around the ball and its way
-  };
-
-  void take_travels(double t, double dt);
-  void sweep(double beyond);
-  void sweep(double t, double dt, double beyond);
-  bool may_meet(const Candidate& candidate, double beyond);
-  void number_candidates();
-  Candidate* candidate_of(int part_a, int part_b);
-  double between_planes(int part_a, int part_b, const Eigen::Vector3d& normal, const Placement& at_a,
-                        const Placement& at_b) const;
-  Eigen::Vector3d middle(int part) const;
-  double travel(int part, double t, double dt) const;
-  void look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
-            PartContact& contact, PairTools& tools);
   const SimulatedPart& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
-  double overlap_until(const Candidate& candidate, const Eigen::Vector3d& normal, double from, double to,
-                       double most, PairTools& tools);
-  bool is_apart(const Candidate& candidate) const;
-  bool is_known_proven(const Candidate& candidate) const;
-  double most_overlap(const NearPair& pair) const;
-  double proven_pair(const Candidate& candidate, double t, double end, PairTools& tools);
-  Placement place_of(int number) const;
-  const PartContact* contact_now(Candidate& candidate, double band, double beyond, PairTools& tools);
-  bool is_known_beyond(const Candidate& candidate, const Placement& at_a, const Placement& at_b,
-                       double beyond) const;
-  bool stays_away(const Candidate& candidate) const;
-  bool stays(const Candidate& candidate, double least) const;
-  PartContact look_at(const Candidate& candidate, double t, double band, PairTools& tools);
-  double least_of(const Candidate& candidate, const TimedLook& first, const TimedLook& last, double enough,
-                  int halvings, PairTools& tools);
-  double free_until(const Body& a, const Body& b, double from, double to, double contact, PairTools& tools);
+  const NearPair* touching(const CandidatePair& candidate) const;  // in contact or leaving; nullptr: apart
+  bool is_known_proven(const CandidatePair& candidate) const;
   void hand_motions();
   void add_tools();
   void take_counters();
@@ -196,24 +103,18 @@ class NearPairs {
     take_counters();
   }
 
-  const Dynamics& dynamics_;
   const std::vector<SimulatedBody>& bodies_;
   std::vector<SimulatedPart>& parts_;
   ContactScales scales_;
   SimulationCounters& counters_;
   int n_;
-  std::shared_ptr<std::vector<Candidate>> candidates_;  // by their parts; groups share them, none the same
-  std::vector<std::size_t> first_candidates_;           // of each part as the first, and their count
-  std::vector<std::vector<int>> parts_of_;              // each body
-  std::vector<int> scope_;                              // parts of the members
-  std::vector<Swept> swept_;                            // of each part
-  std::vector<std::optional<Eigen::AlignedBox3d>> standing_;  // around each part that stands
-  std::vector<int> order_;                                    // of the parts, by where their boxes begin
-  std::vector<Candidate*> may_meet_;                          // of the last sweep
-  std::vector<NearPair> near_, before_;                       // of the last find(), and of the one before it
-  std::vector<const PartContact*> found_;                     // of each of may_meet_
-  std::vector<Candidate*> in_doubt_;                          // of may_meet_, where a proof takes work
-  std::vector<double> proven_;                                // of these
+  PartSweep sweep_;
+  PairLooks looks_;
+  PairProofs proofs_;
+  std::vector<NearPair> near_, before_;    // of the last find(), and of the one before it
+  std::vector<const PartContact*> found_;  // of each candidate of a sweep
+  std::vector<CandidatePair*> in_doubt_;   // those of a sweep where a proof takes work
+  std::vector<double> proven_;             // of these
   SharedTools<PairTools> tools_;
   ChunkTeam* team_ = nullptr;
   bool nothing_touched_ = true;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "scene/simulation/near_pairs.h"
+#include "scene/simulation/pair_looks.h"
 
-// How pairs are looked at, and what need not be looked at again.
 namespace raygauge {
 namespace {
 
@@ -20,8 +19,8 @@ Placement placement_of(const SimulatedBody& body, int n) {
 
 }  // namespace
 
-void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Placement& at_b, double band,
-                     PartContact& contact, PairTools& tools) {
+void PairLooks::look(const CandidatePair& candidate, const Placement& at_a, const Placement& at_b,
+                     double band, PartContact& contact, PairTools& tools) const {
   ++tools.counters.contact_queries;
   const ConvexSet& a = *parts_[static_cast<std::size_t>(candidate.part_a)].body.parts.front().set;
   const ConvexSet& b = *parts_[static_cast<std::size_t>(candidate.part_b)].body.parts.front().set;
@@ -30,17 +29,13 @@ void NearPairs::look(const Candidate& candidate, const Placement& at_a, const Pl
   tools.finder.find({a, tools.pose_a}, {b, tools.pose_b}, band, candidate.normal, contact);
 }
 
-bool NearPairs::KnownLook::is_of(const Placement& a, const Placement& b) const {
-  return at_a.t == a.t && at_a.R == a.R && at_b.t == b.t && at_b.R == b.R;
-}
-
-Placement NearPairs::place_of(int number) const {
+Placement PairLooks::place_of(int number) const {
   return placement_of(bodies_[static_cast<std::size_t>(part(number).owner)], n_);
 }
 
 // Whether it is known from before, or by planes across the normal that was found last, that the parts are
 // farther apart than `beyond`.
-bool NearPairs::is_known_beyond(const Candidate& candidate, const Placement& at_a, const Placement& at_b,
+bool PairLooks::is_known_beyond(const CandidatePair& candidate, const Placement& at_a, const Placement& at_b,
                                 double beyond) const {
   KnownLook& known = *candidate.known;
   if (known.is_of(at_a, at_b)) return known.contact.lower > beyond;
@@ -60,8 +55,8 @@ bool NearPairs::is_known_beyond(const Candidate& candidate, const Placement& at_
 
 // Of bodies that lie still it is known. None: farther apart than `beyond`, which is more than the band by so
 // much that a look would say so too.
-const PartContact* NearPairs::contact_now(Candidate& candidate, double band, double beyond,
-                                          PairTools& tools) {
+const PartContact* PairLooks::now(CandidatePair& candidate, double band, double beyond,
+                                  PairTools& tools) const {
   const Placement at_a = place_of(candidate.part_a), at_b = place_of(candidate.part_b);
   if (candidate.known && is_known_beyond(candidate, at_a, at_b, kSurely * beyond)) return nullptr;
   if (!candidate.known) candidate.known = std::make_unique<KnownLook>();
@@ -76,35 +71,33 @@ const PartContact* NearPairs::contact_now(Candidate& candidate, double band, dou
   return &known.contact;
 }
 
-// Whether the parts were so far apart before this substep, as was just found, that their ways do not lead to
-// `arrival`.
-bool NearPairs::stays_away(const Candidate& candidate) const {
-  if (!candidate.known || !candidate.known->is_of(place_of(candidate.part_a), place_of(candidate.part_b)))
-    return false;
-  const Swept &a = swept_[static_cast<std::size_t>(candidate.part_a)],
-              &b = swept_[static_cast<std::size_t>(candidate.part_b)];
-  const double rounding = kRounding * (a.middle.norm() + b.middle.norm());
-  return candidate.known->contact.lower > (a.travel + b.travel + scales_.arrival() + rounding) * kOutward;
+// Of where they are now.
+bool PairLooks::is_known_now(const CandidatePair& candidate) const {
+  return candidate.known && candidate.known->is_of(place_of(candidate.part_a), place_of(candidate.part_b));
 }
 
-// Whether both parts lie still within this substep, at a signed distance of `least` or more.
-bool NearPairs::stays(const Candidate& candidate, double least) const {
+bool PairLooks::is_known_apart(const CandidatePair& candidate, double beyond) const {
+  return is_known_now(candidate) && candidate.known->contact.lower > beyond;
+}
+
+bool PairLooks::stays(const CandidatePair& candidate, double least) const {
   const auto is_still = [this](int number) {
     return bodies_[static_cast<std::size_t>(part(number).owner)].still;
   };
-  return candidate.known && is_still(candidate.part_a) && is_still(candidate.part_b) &&
-         candidate.known->is_of(place_of(candidate.part_a), place_of(candidate.part_b)) &&
+  return is_still(candidate.part_a) && is_still(candidate.part_b) && is_known_now(candidate) &&
          candidate.known->contact.lower >= least;
 }
 
-double NearPairs::distance_at(const NearPair& pair, double end, PairTools& tools) {
-  PartContact then;
-  look(*candidate_of(pair.part_a, pair.part_b), bodies_[static_cast<std::size_t>(pair.a)].motion->at(end),
-       bodies_[static_cast<std::size_t>(pair.b)].motion->at(end), scales_.delta, then, tools);
-  return then.lower;
+PartContact PairLooks::at(const CandidatePair& candidate, double t, double band, PairTools& tools) const {
+  PartContact contact;
+  const auto then = [this, t](int number) {
+    return bodies_[static_cast<std::size_t>(part(number).owner)].motion->at(t);
+  };
+  look(candidate, then(candidate.part_a), then(candidate.part_b), band, contact, tools);
+  return contact;
 }
 
-double NearPairs::between_planes(int part_a, int part_b, const Eigen::Vector3d& normal, const Placement& at_a,
+double PairLooks::between_planes(int part_a, int part_b, const Eigen::Vector3d& normal, const Placement& at_a,
                                  const Placement& at_b) const {
   // A half-space has one normal, and its plane is found as fast.
   if (!part(part_a).body.is_bounded() || !part(part_b).body.is_bounded()) return -kInfinity;
@@ -117,10 +110,10 @@ double NearPairs::between_planes(int part_a, int part_b, const Eigen::Vector3d& 
   return -height(part_a, at_a, -1) - height(part_b, at_b, 1);
 }
 
-double NearPairs::plane_distance_at(const NearPair& pair, double end) const {
+double PairLooks::between_planes_at(const NearPair& pair, double t) const {
   const SimulatedBody &a = bodies_[static_cast<std::size_t>(pair.a)],
                       &b = bodies_[static_cast<std::size_t>(pair.b)];
-  const Placement at_a = a.motion->at(end), at_b = b.motion->at(end);
+  const Placement at_a = a.motion->at(t), at_b = b.motion->at(t);
   const Eigen::Vector3d& normal = pair.contact.normal;
   double distance = between_planes(pair.part_a, pair.part_b, normal, at_a, at_b);
   for (const auto& [body, at] : {std::pair{&a, &at_a}, std::pair{&b, &at_b}}) {
