@@ -27,7 +27,7 @@ double GaugeBound::compute(const ColumnPool& Q, int n, const Kernels& kernels, c
   point_.reserve(2 * static_cast<std::size_t>(n));
   const double ahead = gauge_of_target(Q, 1.0, stopwatch);
   if (!(ahead < kInfinity)) return kInfinity;
-  const double radius = program_.cone_radius();
+  const double radius = program_.basis().cone_radius();
   if (!(radius > 0)) return kInfinity;
   const double behind = gauge_of_target(Q, -1.0, stopwatch);
   constexpr double kRoundedUp = 1 + 8 * std::numeric_limits<double>::epsilon();
@@ -44,7 +44,7 @@ double GaugeBound::gauge_of_target(const ColumnPool& Q, double sign, const Stopw
   target_.clear(n_);
   target_.add(target);
   program_.begin(n_, std::numeric_limits<double>::min(), 0, *kernels_);
-  program_.start(target_, Q, guess, kFirstNormalError);
+  program_.start(target_, Q, {guess, kFirstNormalError});
   PrimalSimplex::End end = program_.solve(target_, Q, stopwatch);
   while (end == PrimalSimplex::End::bounded) {
     program_.raise_bounds();

@@ -13,8 +13,8 @@ namespace {
 void record_work(const SiftingSolve& solve) {
   DistanceCounters& counters = solve.sets.counters();
   counters.pivots = solve.program.pivots();
-  counters.ray_iterations = solve.program.pricings();
-  counters.points_priced += solve.program.points_priced();
+  counters.ray_iterations = solve.program.loop().pricings;
+  counters.points_priced += solve.program.loop().points_priced;
   counters.refactorisations = solve.program.refactorisations();
   solve.result.counters = counters;
 }
@@ -39,7 +39,7 @@ void write_answer(const SiftingSolve& solve, DistanceStatus status, double lower
 
   result.origin_weights.clear();
   if (double* contact = result.room_for_contact(solve.effects, n)) {
-    solve.program.contact_point(contact);
+    solve.program.basis().contact_point(contact);
     sets.to_own_units(contact);
     ++sets.counters().witness_evaluations;
   }

@@ -34,9 +34,10 @@ void FirstNormal::guess(WorkingSets& sets) {
 }
 
 void FirstNormal::start(WorkingSets& sets, PrimalSimplex& program) const {
-  const PrimalSimplex::Frame frame = {frame_.data(), inverse_frame_.data()};
-  program.start(sets.A().pool, sets.Q().pool, sets.direction(), error(sets), framed_ ? &frame : nullptr,
-                looked_ && axes_.any() ? &axes_ : nullptr);
+  const FirstGuess::Frame frame = {frame_.data(), inverse_frame_.data()};
+  program.start(
+      sets.A().pool, sets.Q().pool,
+      {sets.direction(), error(sets), framed_ ? &frame : nullptr, looked_ && axes_.any() ? &axes_ : nullptr});
 }
 
 // Of the first normal, relative. Where all points are priced from the start, bounds too narrow, which have to

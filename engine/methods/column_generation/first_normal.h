@@ -30,7 +30,7 @@ class FirstNormal {
   bool framed_ = false;
   bool looked_ = false;  // for points of Q on the axes
   AxisPoints axes_;
-  AlignedBuffer<double> frame_;  // n x n, and its inverse: see PrimalSimplex::Frame
+  AlignedBuffer<double> frame_;  // n x n, and its inverse: see FirstGuess
   AlignedBuffer<double> inverse_frame_;
 };
 

@@ -162,7 +162,7 @@ void InteriorProof::start_at_normal(const SiftingSolve& solve) const {
   double largest = 0;
   for (int k = 0; k < n; ++k) largest = std::max(largest, std::fabs(method_.normal()[k]));
   for (int k = 0; k < n; ++k) guess[k] = method_.normal()[k] / largest;
-  solve.program.start(solve.sets.A().pool, solve.sets.Q().pool, guess, kErrorOfNormal);
+  solve.program.start(solve.sets.A().pool, solve.sets.Q().pool, {guess, kErrorOfNormal});
 }
 
 }  // namespace raygauge

@@ -19,7 +19,7 @@ constexpr double kSecondsForWeights = 1e-3;
 void LastResort::collect_basis(const SiftingSolve& solve) {
   start_.clear();
   for (int i = 0; i <= solve.sets.n(); ++i) {
-    const std::int64_t id = solve.program.basic_ids()[i];
+    const std::int64_t id = solve.program.basis().view().id[i];
     if (is_artificial(id)) continue;
     start_.push_back(is_from_Q(id) ? id_of_Q(solve.sets.Q().own_index(id / 2))
                                    : id_of_A(solve.sets.A().own_index(id / 2)));
@@ -108,7 +108,7 @@ void LastResort::write_origin_weights(const SiftingSolve& solve) {
     solve.face.weights(solve, weights);
     if (solve.face.is_rounded()) return;
   } else {
-    solve.program.origin_weights(weights);
+    solve.program.basis().origin_weights(weights);
     for (PointWeight& weight : weights) weight.index = solve.sets.A().own_index(weight.index);
   }
   collect_basis(solve);

@@ -58,7 +58,7 @@ double RefinedProof::upper(const SiftingSolve& solve) {
 
 double RefinedProof::upper_despite_residual(const SiftingSolve& solve) {
   const double gauge = gauge_per_residual(solve);
-  return gauge < kInfinity ? solve.program.upper_with_residual(gauge) : kInfinity;
+  return gauge < kInfinity ? solve.program.basis().upper_with_residual(gauge) : kInfinity;
 }
 
 double RefinedProof::gauge_per_residual(const SiftingSolve& solve) {

@@ -132,7 +132,7 @@ void Sifting::run(const SiftingSolve& solve) {
     const bool trusted = trusts_simplex_ && solved;
     if (trusted && complete) return end_untold();
     if (solved && complete && certify_as_priced(solve)) return;
-    if (solved) program_.refresh_duals();
+    if (solved) program_.basis().refresh_duals();
     const double estimate = program_.objective();
     double lower = 0;
     if (price_or_separate(solve, end, lower)) continue;
@@ -249,7 +249,7 @@ bool Sifting::certify_refined(const SiftingSolve& solve, End end) {
 bool Sifting::bounds_mislead() noexcept {
   const bool passes_are_cheap = sets_.n() * (sets_.A().set->size() + sets_.Q().set->size()) < kCheapNumbers;
   return !passes_are_cheap &&
-         (sets_.counters().support_queries > 0 || 5 * program_.artificials() > 3 * sets_.n());
+         (sets_.counters().support_queries > 0 || 5 * program_.loop().artificials > 3 * sets_.n());
 }
 
 bool Sifting::interior_may_help(End end) const noexcept {

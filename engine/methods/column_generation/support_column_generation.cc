@@ -115,7 +115,7 @@ bool SupportColumnGeneration::holds_origin(const Stopwatch& stopwatch) {
 
 double SupportColumnGeneration::upper_despite_residual(const Stopwatch& stopwatch) {
   const double gauge = gauge_per_residual(stopwatch);
-  return gauge < kInfinity ? program_.upper_with_residual(gauge) : kInfinity;
+  return gauge < kInfinity ? program_.basis().upper_with_residual(gauge) : kInfinity;
 }
 
 // Σβ is proven for the support points as computed. Those of A and Q themselves lie within e_A and e_Q of
@@ -148,7 +148,7 @@ DistanceStatus SupportColumnGeneration::run(const Stopwatch& stopwatch) {
 // direction to ask: both are good even where support points crowd so much that their combinations say little.
 bool SupportColumnGeneration::closes_by_gauge() {
   contact_.clear(n_);
-  program_.points_of_A(contact_);
+  program_.basis().points_of_A(contact_);
   double* x = axis_.data();
   if (contact_.average(x)) ask_gauge(x);
   std::copy_n(point_A_.data(), n_, x);
@@ -199,7 +199,7 @@ void SupportColumnGeneration::start() {
   ask(guess);
   offer_A(point_A_.data());
   offer_Q(point_Q_.data());
-  program_.start(points_A_, points_Q_, guess, kGuessError);
+  program_.start(points_A_, points_Q_, {guess, kGuessError});
 }
 
 // Works with the support points as computed: upper_ is theirs until run() pays for the difference.
@@ -260,8 +260,9 @@ int SupportColumnGeneration::note_progress(PrimalSimplex::End end, Best& best) c
 
 // Makes those of the last support points known that price out; false if neither does.
 bool SupportColumnGeneration::offer_support_points() {
-  const bool A_enters = h_A_.value > program_.threshold_A() && is_point(point_A_.data(), n_);
-  const bool Q_enters = h_Q_.value > program_.threshold_Q() && is_point(point_Q_.data(), n_);
+  const PrimalSimplex::Thresholds above = program_.thresholds();
+  const bool A_enters = h_A_.value > above.A && is_point(point_A_.data(), n_);
+  const bool Q_enters = h_Q_.value > above.Q && is_point(point_Q_.data(), n_);
   if (A_enters) offer_A(point_A_.data());
   if (Q_enters) offer_Q(point_Q_.data());
   if (!A_enters && !Q_enters) return false;
@@ -277,7 +278,7 @@ bool SupportColumnGeneration::prepare_next(PrimalSimplex::End end) {
 }
 
 void SupportColumnGeneration::solve_offered(const double* guess, const Stopwatch& stopwatch) {
-  program_.start(points_A_, points_Q_, guess, kGuessError);
+  program_.start(points_A_, points_Q_, {guess, kGuessError});
   PrimalSimplex::End end = program_.solve(points_A_, points_Q_, stopwatch);
   while (end == PrimalSimplex::End::bounded) {
     program_.raise_bounds();
@@ -289,7 +290,7 @@ void SupportColumnGeneration::solve_offered(const double* guess, const Stopwatch
 
 const DistanceCounters& SupportColumnGeneration::counters() {
   counters_.pivots = program_.pivots();
-  counters_.points_priced = program_.points_priced();
+  counters_.points_priced = program_.loop().points_priced;
   counters_.refactorisations = program_.refactorisations();
   return counters_;
 }

@@ -44,8 +44,8 @@ class SupportColumnGeneration {
   Bounds bounds() const noexcept { return {lower_, upper_}; }
   double objective() const noexcept { return program_.objective(); }
   const double* normal() const noexcept { return normal_.data(); }  ///< direction of the lower bound
-  void contact_point(double* point) const { program_.contact_point(point); }
-  void contact_combination(WeightedPoints& combination) const { program_.points_of_A(combination); }
+  void contact_point(double* point) const { program_.basis().contact_point(point); }
+  void contact_combination(WeightedPoints& combination) const { program_.basis().points_of_A(combination); }
   const DistanceCounters& counters();
 
  private:

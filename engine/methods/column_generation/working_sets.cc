@@ -111,8 +111,8 @@ std::optional<double> WorkingSets::bound_as_priced(const PrimalSimplex& program)
     u[k] = y[k];
     u[n_ + k] = -y[k];
   }
-  A_.h = {program.priced_A(), dot_error(*A_.set, u)};
-  Q_.h = {program.priced_Q(), dot_error(*Q_.set, u)};
+  A_.h = {program.loop().h_A, dot_error(*A_.set, u)};
+  Q_.h = {program.loop().h_Q, dot_error(*Q_.set, u)};
   const double resolution = resolution_for(tolerance_);
   if (!well_resolved(A_.h.value, A_.h.error, resolution) ||
       !well_resolved(Q_.h.value, Q_.h.error, resolution))
@@ -132,8 +132,9 @@ double WorkingSets::price(const PrimalSimplex& program, bool roughly) {
                            kInfinity};
   }
   const double resolution = roughly ? std::numeric_limits<double>::max() : resolution_for(tolerance_);
-  price_side(A_, direction_.data(), program.threshold_A(), resolution);
-  price_side(Q_, direction_.data() + n_, program.threshold_Q(), resolution);
+  const PrimalSimplex::Thresholds thresholds = program.thresholds();
+  price_side(A_, direction_.data(), thresholds.A, resolution);
+  price_side(Q_, direction_.data() + n_, thresholds.Q, resolution);
   return lower_bound(A_.h, Q_.h);
 }
 

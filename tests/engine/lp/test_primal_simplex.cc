@@ -31,7 +31,7 @@ struct Program {
     pool_Q.choose(Q, ones.data(), true, false);
     guess[0] = -1;
     simplex.begin(n, 1e-14, max_pivots, kernels);
-    simplex.start(pool_A, pool_Q, guess.data(), 0.1);
+    simplex.start(pool_A, pool_Q, {guess.data(), 0.1});
   }
 
   // As the callers do: bounds on the normal that stay active are raised.
@@ -73,7 +73,7 @@ TEST_P(PrimalSimplexOf, FindsTheDistanceOfCrossPolytopes) {
     Program program(A, Q, kernels());
     ASSERT_EQ(program.solve(), PrimalSimplex::End::solved) << n;
     EXPECT_NEAR(program.simplex.objective(), 3.0 * n - 1, 1e-12 * n) << "‖(3, …, 3)‖₁ less the radius of A";
-    EXPECT_EQ(program.simplex.artificials(), 0);
+    EXPECT_EQ(program.simplex.loop().artificials, 0);
     EXPECT_GE(program.simplex.proven_upper(), program.simplex.objective() * (1 - 1e-12));
     EXPECT_LE(program.simplex.proven_upper(), program.simplex.objective() * (1 + 1e-10));
   }
