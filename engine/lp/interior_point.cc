@@ -15,9 +15,6 @@
 namespace raygauge {
 namespace {
 
-using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
-using VectorMap = Eigen::Map<Eigen::VectorXd>;
-
 constexpr int kIterations = 60;
 constexpr int kIterationsOfFew = 35;  // separates by then, or nears an optimum
 // x·s per unit of t where the solve ends: if just n + 1 columns carry weight, and at the latest.
@@ -51,7 +48,26 @@ constexpr double kLeastNegligible = 1e-5;
 constexpr double kShortStep = 0.1;
 constexpr double kMoreKept = 0.1;
 
-constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
+// From the products of the points with the guess g in s: a μ so large that weights μ / s within a factor of 2
+// of each other can move the mean of Q's points to where A is, Σβ of some |mean g·a| / rms g·q. That saves
+// 3 of 24 iterations at n = 400, N = 1200, but where no weights do it, it hides that there are none.
+double central_weight(const InteriorSide& A, const InteriorSide& Q) {
+  double mean_A = 0;
+  double square_Q = 0;
+  for (std::size_t i = 0; i < A.size; ++i) mean_A += A.s[i];
+  for (std::size_t j = 0; j < Q.size; ++j) square_Q += Q.s[j] * Q.s[j];
+  const auto size_Q = static_cast<double>(Q.size);
+  const double far = std::fabs(mean_A) / static_cast<double>(A.size);
+  const double rms = std::sqrt(square_Q / size_Q);
+  return std::clamp(kSpread * far / rms, kLeastSum, kMostSum) / size_Q;
+}
+
+// Of a pair x, s one goes to zero: compared in the units of each, x about 1 in A and s about d, and the
+// other way round in Q. Above 1: the column carries weight.
+double weight_over_slack(const InteriorSide& side, std::size_t i, double unit) {
+  const double ratio = side.x[i] / side.s[i];
+  return side.is_A() ? ratio * unit : ratio / unit;
+}
 
 }  // namespace
 
@@ -77,24 +93,20 @@ InteriorPoint::End InteriorPoint::go_on(const Stopwatch& stopwatch) { return run
 void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, const double* guess,
                           const Kernels& kernels) {
   n_ = n;
-  kernels_ = &kernels;
+  width_ = kernels.width;
   iterations_ = 0;
   paused_at_zero_ = false;
   next_pause_ = kFar;
-  bind(A_, A, 1.0);
-  bind(Q_, Q, -1.0);
-  count_ = A_.points.size + Q_.points.size;
+  sides_[0].bind(A, 1.0);
+  sides_[1].bind(Q, -1.0);
+  count_ = A.size + Q.size;
   many_ = count_ >= kManyPoints * n;
-  single_ = many_;
   negligible_ = kNegligible;
-  ranked_.reserve(static_cast<std::size_t>(A_.count + Q_.count));
-  const auto size = static_cast<std::size_t>(n);
-  y_.reserve(size + 1);
-  duals_.reserve(size + 1);
-  dy_.reserve(size + 1);
-  border_.reserve(2 * size);
-  direction_.reserve(size);
-  reserve_passes();
+  const auto size = static_cast<std::size_t>(n) + 1;
+  y_.reserve(size);
+  duals_.reserve(size);
+  passes_.begin(n, many_, kernels);
+  step_.begin(n, kernels, sides_);
   start(guess);
 }
 
@@ -103,36 +115,37 @@ InteriorPoint::End InteriorPoint::run(const Stopwatch& stopwatch) {
   std::copy_n(y_.data(), n_ + 1, duals_.data());
   if (whitened_ == nullptr) return end;
   whitened_->turn_back(duals_.data());
-  return VectorMap(duals_.data(), n_).allFinite() ? end : End::failed;
+  return Eigen::Map<const Eigen::VectorXd>(duals_.data(), n_).allFinite() ? end : End::failed;
 }
 
 InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
   const double& t = y_[static_cast<std::size_t>(n_)];
   const int limit = many_ ? kIterations : kIterationsOfFew;
-  const double operations =
-      static_cast<double>(n_) * n_ * (0.5 * static_cast<double>(count_) + n_) / kernels_->width;
+  const double operations = static_cast<double>(n_) * n_ * (0.5 * static_cast<double>(count_) + n_) / width_;
   StepTimes steps;
-  const auto nears_an_optimum = [&] { return t > 0 && complementarity(0, 0) < t; };
+  const auto nears_an_optimum = [&] { return t > 0 && complementarity(sides_) < t; };
   while (iterations_ < limit || (iterations_ < kIterations && nears_an_optimum())) {
     ++iterations_;
     if (stopwatch.expired() || !steps.affords_next(stopwatch, operations)) return End::failed;
-    if (single_ && !factor(true)) leave_single();
-    if (!single_ && !factor(false)) {
-      const bool close = t > 0 && complementarity(0, 0) <= kDecided * t;
+    const double negligible = many_ ? negligible_ : 0.0;
+    if (passes_.is_single() && !step_.factor(sides_, passes_, negligible))
+      passes_.leave_single(sides_, y_.data());
+    if (!passes_.is_single() && !step_.factor(sides_, passes_, negligible)) {
+      const bool close = t > 0 && complementarity(sides_) <= kDecided * t;
       return close ? End::converged : End::failed;
     }
-    const double length = step();
+    const double length = step_.take(sides_, passes_, y_.data(), many_);
     if (length < kShortStep) negligible_ = std::max(kLeastNegligible, kMoreKept * negligible_);
-    if (!(length > kShortest) && single_) {
-      leave_single();
+    if (!(length > kShortest) && passes_.is_single()) {
+      passes_.leave_single(sides_, y_.data());
       continue;
     }
     if (!(length > kShortest) || !(t < kInfinity)) return End::failed;
     if (is_separating()) return End::separated;
-    const double gap = complementarity(0, 0);
+    const double gap = complementarity(sides_);
     const double scale = std::fabs(t);
     const bool moderate = scale + gap > kMostlyZero && t < std::min(kMostlyFar, enough_);
-    if (!(gap > kCoarse * scale) || !moderate) leave_single();
+    if (!(gap > kCoarse * scale) || !moderate) passes_.leave_single(sides_, y_.data());
     if (!moderate) negligible_ = 0;  // on the way to 0 or to infinity every column counts
     if (t >= enough_) return End::converged;
     if (gap <= kConverged * scale) return End::converged;
@@ -144,7 +157,14 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
 }
 
 // How many columns more or fewer than n + 1 carry weight.
-int InteriorPoint::undecided() const { return std::abs(columns_with_weight() - (n_ + 1)); }
+int InteriorPoint::undecided() const {
+  const double unit = std::fabs(y_[static_cast<std::size_t>(n_)]);
+  int count = 0;
+  for (const InteriorSide& side : sides_) {
+    for (std::size_t i = 0; i < side.size; ++i) count += weight_over_slack(side, i, unit) > 1 ? 1 : 0;
+  }
+  return std::abs(count - (n_ + 1));
+}
 
 // As many may be near ties, which dual simplex steps decide.
 int InteriorPoint::most_undecided() const { return many_ ? n_ / kForEachTie : 0; }
@@ -161,191 +181,58 @@ bool InteriorPoint::pauses(double gap) {
   return true;
 }
 
-void InteriorPoint::bind(Side& side, const PricedPoints& points, double sign) {
-  side.points = points;
-  side.count = points.single_blocks == nullptr ? points.block_count * kLanes
-                                               : points.single_block_count * PointSet::kSingleLanes;
-  side.sign = sign;
-  side.last = sign > 0 ? 1.0 : 0.0;
-  const auto count = static_cast<std::size_t>(side.count);
-  side.x.reserve(count);
-  side.s.reserve(count);
-  side.dx.reserve(count);
-  side.ds.reserve(count);
-  side.kept_dx.reserve(count);
-  side.kept_ds.reserve(count);
-  side.target.reserve(count);
-  side.weight.reserve(count);
-}
-
 // The guess g, scaled so that Q keeps half of its bound, t below what A allows, and weights x = μ / s.
 void InteriorPoint::start(const double* guess) {
   double* u = y_.data();
-  price(A_, guess, A_.s.data());
-  price(Q_, guess, Q_.s.data());
+  auto& [A, Q] = sides_;
+  for (InteriorSide& side : sides_) passes_.price(side, guess, side.s.data());
   double h_A = -kInfinity;
   double h_Q = -kInfinity;  // h_Q(-g)
-  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) h_A = std::max(h_A, A_.s[static_cast<std::size_t>(i)]);
-  for (std::ptrdiff_t j = 0; j < Q_.points.size; ++j) h_Q = std::max(h_Q, -Q_.s[static_cast<std::size_t>(j)]);
+  for (std::size_t i = 0; i < A.size; ++i) h_A = std::max(h_A, A.s[i]);
+  for (std::size_t j = 0; j < Q.size; ++j) h_Q = std::max(h_Q, -Q.s[j]);
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(guess[k]));
   const double length = kFirstSupport / std::max(h_Q, 1e-3 * largest);
   for (int k = 0; k < n_; ++k) u[k] = length * guess[k];
-  const auto size_A = static_cast<double>(A_.points.size);
-  double mu = many_ ? central_weight() : 0.0;
+  const auto size_A = static_cast<double>(A.size);
+  double mu = many_ ? central_weight(A, Q) : 0.0;
   u[n_] = -length * h_A - (many_ ? mu * size_A : std::max(1.0, 0.1 * std::fabs(length * h_A)));
-  slacks(A_, 0.0);
-  slacks(Q_, 1.0);
-  if (!many_) {
-    for (std::ptrdiff_t i = 0; i < A_.points.size; ++i)
-      mu += A_.s[static_cast<std::size_t>(i)] / (size_A * size_A);
+  for (InteriorSide& side : sides_) passes_.compute_slacks(side, u);
+  for (std::size_t i = 0; i < A.size && !many_; ++i) mu += A.s[i] / (size_A * size_A);
+  for (InteriorSide& side : sides_) {
+    for (std::size_t i = 0; i < side.lanes; ++i) side.x[i] = i < side.size ? mu / side.s[i] : 0.0;
   }
-  for (Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      side->x[at] = i < side->points.size ? mu / side->s[at] : 0.0;
-    }
-  }
-}
-
-// From the products of the points with the guess g in s: a μ so large that weights μ / s within a factor of 2
-// of each other can move the mean of Q's points to where A is, Σβ of some |mean g·a| / rms g·q. That saves
-// 3 of 24 iterations at n = 400, N = 1200, but where no weights do it, it hides that there are none.
-double InteriorPoint::central_weight() const {
-  double mean_A = 0;
-  double square_Q = 0;
-  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) mean_A += A_.s[static_cast<std::size_t>(i)];
-  for (std::ptrdiff_t j = 0; j < Q_.points.size; ++j) {
-    const double product = Q_.s[static_cast<std::size_t>(j)];
-    square_Q += product * product;
-  }
-  const auto size_Q = static_cast<double>(Q_.points.size);
-  const double far = std::fabs(mean_A) / static_cast<double>(A_.points.size);
-  const double rms = std::sqrt(square_Q / size_Q);
-  return std::clamp(kSpread * far / rms, kLeastSum, kMostSum) / size_Q;
-}
-
-// The weights x / s of the matrix. Those of A count (Σβ)² times as much: compared in the units of each, x
-// about 1 in A and s about Σβ, and the other way round in Q.
-void InteriorPoint::weigh() {
-  double beta = 0;
-  for (Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      side->weight[at] = i < side->points.size ? side->x[at] / side->s[at] : 0.0;
-      if (side == &Q_) beta += side->x[at];
-    }
-  }
-  if (many_) leave_out_negligible(beta * beta);
-}
-
-// As counted, those of A `unit` times as much.
-void InteriorPoint::leave_out_negligible(double unit) {
-  double* ranks = ranked_.data();
-  for (const Side* side : {&A_, &Q_}) {
-    const double factor = side == &A_ ? unit : 1.0;
-    for (std::ptrdiff_t i = 0; i < side->count; ++i)
-      *ranks++ = factor * side->weight[static_cast<std::size_t>(i)];
-  }
-  double* nth = ranked_.data() + std::min<std::ptrdiff_t>(n_, ranks - ranked_.data() - 1);
-  std::nth_element(ranked_.data(), nth, ranks, std::greater<>());
-  for (Side* side : {&A_, &Q_}) {
-    const double least = negligible_ * *nth / (side == &A_ ? unit : 1.0);
-    for (std::ptrdiff_t i = 0; i < side->count; ++i) {
-      double& weight = side->weight[static_cast<std::size_t>(i)];
-      if (weight < least) weight = 0;
-    }
-  }
-}
-
-// G = Σ d p pᵀ over both sets by Cholesky; the convexity row borders it.
-bool InteriorPoint::factor(bool single) {
-  gram_.begin(n_, *kernels_, helpers_);
-  weigh();
-  for (Side* side : {&A_, &Q_}) gram_.add(side->points, side->weight.data(), single);
-  if (!gram_.factor()) return false;
-  const Matrix G(gram_.data(), n_, n_, Eigen::OuterStride<>(gram_.rows()));
-  double* g = border_.data();
-  std::fill_n(g, n_, 0.0);
-  add_weighted(A_, g);
-  corner_ = 0;
-  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) corner_ += A_.weight[static_cast<std::size_t>(i)];
-  const VectorMap border(g, n_);
-  VectorMap solved(g + n_, n_);
-  solved = border;
-  const auto lower = G.triangularView<Eigen::Lower>();
-  lower.solveInPlace(solved);
-  pivot_ = corner_ - solved.squaredNorm();
-  lower.transpose().solveInPlace(solved);
-  return pivot_ > 0;
-}
-
-// rhs (n + 1 numbers) becomes M⁻¹ rhs.
-void InteriorPoint::solve_for(double* rhs) {
-  const Matrix G(gram_.data(), n_, n_, Eigen::OuterStride<>(gram_.rows()));
-  VectorMap v(rhs, n_);
-  const VectorMap solved(border_.data() + n_, n_);
-  const double last = (rhs[n_] - solved.dot(v)) / pivot_;
-  if ((v.array() != 0).any()) {  // zero without targets
-    const auto lower = G.triangularView<Eigen::Lower>();
-    lower.solveInPlace(v);
-    lower.transpose().solveInPlace(v);
-  }
-  v -= last * solved;
-  rhs[n_] = last;
 }
 
 // u·q > 0 for every q, by a margin far above rounding errors, and u·a < 0: t > 0 means it. Half of the sets
 // of n + 2 points leave 1e-8.
 bool InteriorPoint::is_separating() const {
-  const double margin = single_ ? 1e-6 : 1e-10;
+  const double margin = passes_.is_single() ? 1e-6 : 1e-10;
   const double t = y_[static_cast<std::size_t>(n_)];
   if (!(t > 0)) return false;
   double least = kInfinity;
-  for (std::ptrdiff_t j = 0; j < Q_.points.size; ++j)
-    least = std::min(least, Q_.s[static_cast<std::size_t>(j)]);
+  const InteriorSide& Q = sides_[1];
+  for (std::size_t j = 0; j < Q.size; ++j) least = std::min(least, Q.s[j]);
   double largest = 0;
   for (int k = 0; k < n_; ++k) largest = std::max(largest, std::fabs(y_[static_cast<std::size_t>(k)]));
   return least - 1 > margin * largest;
 }
 
-// Of a pair x, s one goes to zero: compared in the units of each, x about 1 in A and s about d, and the
-// other way round in Q. Above 1: the column carries weight.
-double InteriorPoint::weight_over_slack(const Side& side, std::size_t at, double unit) const {
-  const double ratio = side.x[at] / side.s[at];
-  return &side == &A_ ? ratio * unit : ratio / unit;
-}
-
 void InteriorPoint::carriers(double unit, std::vector<Carrier>& carriers) const {
   carriers.clear();
-  for (const Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      if (!(weight_over_slack(*side, at, unit) > 1)) continue;
-      carriers.push_back({side == &A_ ? id_of_A(i) : id_of_Q(i), side->x[at]});
+  for (const InteriorSide& side : sides_) {
+    for (std::size_t i = 0; i < side.size; ++i) {
+      if (weight_over_slack(side, i, unit) > 1) carriers.push_back({side.id(i), side.x[i]});
     }
   }
-}
-
-int InteriorPoint::columns_with_weight() const {
-  const double unit = std::fabs(y_[static_cast<std::size_t>(n_)]);
-  int count = 0;
-  for (const Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      count += weight_over_slack(*side, static_cast<std::size_t>(i), unit) > 1 ? 1 : 0;
-    }
-  }
-  return count;
 }
 
 void InteriorPoint::columns(std::vector<std::int64_t>& ids) {
   const double unit = std::fabs(y_[static_cast<std::size_t>(n_)]);
   order_.clear();
-  for (const Side* side : {&A_, &Q_}) {
-    for (std::ptrdiff_t i = 0; i < side->points.size; ++i) {
-      const double ratio = weight_over_slack(*side, static_cast<std::size_t>(i), unit);
-      order_.emplace_back(ratio, side == &A_ ? id_of_A(i) : id_of_Q(i));
-    }
+  for (const InteriorSide& side : sides_) {
+    for (std::size_t i = 0; i < side.size; ++i)
+      order_.emplace_back(weight_over_slack(side, i, unit), side.id(i));
   }
   const auto count = std::min<std::ptrdiff_t>(n_ + 1, std::ssize(order_));
   std::partial_sort(order_.begin(), order_.begin() + count, order_.end(), std::greater<>());

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
-#include "engine/lp/shared_gram.h"
+#include "engine/lp/interior_sides.h"
+#include "engine/lp/interior_step.h"
 #include "engine/lp/whitened_points.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
@@ -46,7 +47,7 @@ class InteriorPoint {
   End go_on(const Stopwatch& stopwatch);
 
   /// Threads that share the work of the next solves; their number does not change a bit of what is found.
-  void share_with(const Helpers& helpers) noexcept { helpers_ = helpers; }
+  void share_with(const Helpers& helpers) noexcept { passes_.share_with(helpers); }
 
   /// Whether the next solves may end as paused.
   void may_pause(bool may) noexcept { may_pause_ = may; }
@@ -77,22 +78,6 @@ class InteriorPoint {
   std::int64_t iterations() const noexcept { return iterations_; }
 
  private:
-  // The points of one set, with their weights and slacks, at the end of the last block filled up.
-  struct Side {
-    PricedPoints points;
-    std::ptrdiff_t count = 0;  // of lanes, in either precision
-    double sign = 1;           // of the coordinates in the program
-    double last = 0;           // entry of the columns in the convexity row
-    AlignedBuffer<double> x;
-    AlignedBuffer<double> s;
-    AlignedBuffer<double> dx;
-    AlignedBuffer<double> ds;
-    AlignedBuffer<double> kept_dx;
-    AlignedBuffer<double> kept_ds;
-    AlignedBuffer<double> target;  // of x·s
-    AlignedBuffer<double> weight;
-  };
-
   void begin(const PricedPoints& A, const PricedPoints& Q, int n, const double* guess,
              const Kernels& kernels);
   End run(const Stopwatch& stopwatch);
@@ -100,69 +85,25 @@ class InteriorPoint {
   int undecided() const;
   int most_undecided() const;
   bool pauses(double gap);
-  void bind(Side& side, const PricedPoints& points, double sign);
   void start(const double* guess);
-  double central_weight() const;
-  void reserve_passes();
-  template <class Work>
-  int share(const Side& side, const Work& work);
-  void price(Side& side, const double* y, double* products);
-  void slacks(Side& side, double cost);
-  void leave_single();
-  template <class Share>
-  static double lack(const Side& side, const Share& share);
-  bool reads_single(const Side& side) const noexcept {
-    return single_ && side.points.single_blocks != nullptr;
-  }
-  bool factor(bool single);
-  void weigh();
-  void leave_out_negligible(double unit);
-  void add_weighted(const Side& side, double* sum);
-  void solve_for(double* rhs);
-  struct Lengths {
-    double x = 1;
-    double s = 1;
-  };
-  void directions(Side& side);
-  void follow_targets();
-  Lengths longest_steps() const;
-  void draw_to_centre(const Lengths& lengths, double centre);
-  void keep_step();
-  Lengths choose_step();
-  static double longest_step(const Side& side, const AlignedBuffer<double>& value,
-                             const AlignedBuffer<double>& change);
-  double complementarity(double step_x, double step_s) const;
-  double step();
   bool is_separating() const;
-  double weight_over_slack(const Side& side, std::size_t at, double unit) const;
-  int columns_with_weight() const;
 
   int n_ = 0;
   bool many_ = false;                                        // points
   double enough_ = std::numeric_limits<double>::infinity();  // of t
-  const Kernels* kernels_ = nullptr;
-  Helpers helpers_;
-  const WhitenedPoints* whitened_ = nullptr;  // whose points these are, if so
-  double negligible_ = 0;                     // share of a weight that may be left out
-  bool single_ = false;                       // products in single precision suffice
+  int width_ = 1;                                            // of the kernels' vectors
+  const WhitenedPoints* whitened_ = nullptr;                 // whose points these are, if so
+  double negligible_ = 0;                                    // share of a weight that may be left out
   bool may_pause_ = false;
   bool paused_at_zero_ = false;
   double next_pause_ = 0;  // t that is far
   std::int64_t iterations_ = 0;
   std::ptrdiff_t count_ = 0;  // of points
-  Side A_;
-  Side Q_;
+  InteriorSides sides_;
+  InteriorPasses passes_;
+  InteriorStep step_;
   AlignedBuffer<double> y_;
   AlignedBuffer<double> duals_;  // y_, of the points before the map
-  AlignedBuffer<double> dy_;
-  AlignedBuffer<double> kept_dy_;
-  SharedGram gram_;                // Σ d p pᵀ, then its factor
-  AlignedBuffer<double> scratch_;  // of the kernel
-  AlignedBuffer<double> border_;   // Σ d_A a, and M⁻¹ of it
-  double corner_ = 0;              // Σ d_A
-  double pivot_ = 0;               // of the convexity row
-  AlignedBuffer<double> direction_;
-  AlignedBuffer<double> ranked_;  // weights, to find the (n + 1)st
   std::vector<std::pair<double, std::int64_t>> order_;
 };
 

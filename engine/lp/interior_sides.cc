@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-//
-// The passes over all points, which threads share: in single precision at first, then over the points as they
-// are.
+#include "engine/lp/interior_sides.h"
+
 #include <algorithm>
 
-#include "engine/lp/interior_point.h"
+#include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {
@@ -18,16 +17,41 @@ constexpr double kKeptSlack = 0.1;
 constexpr double kChunkNumbers = 1 << 15;
 constexpr std::ptrdiff_t kMostChunks = 32;
 
+// How far below what is to stay of them, kept in ds, the slacks are: at most so much of `share(slack)`.
+template <class Share>
+double lack(const InteriorSide& side, const Share& share) {
+  double largest = 0;
+  for (std::size_t i = 0; i < side.size; ++i) {
+    const double least = kKeptSlack * std::min(side.ds[i], 1.0);
+    largest = std::max(largest, (least - side.s[i]) / share(side.s[i]));
+  }
+  return largest;
+}
+
 }  // namespace
 
-void InteriorPoint::reserve_passes() {
-  scratch_.reserve(kMostChunks * (kLanes + 1) * static_cast<std::size_t>(padded_rows(n_)));
+void InteriorSide::bind(const PricedPoints& of, double sign_of_them) {
+  points = of;
+  size = static_cast<std::size_t>(of.size);
+  lanes = static_cast<std::size_t>(
+      of.single_blocks == nullptr ? of.block_count * kLanes : of.single_block_count * PointSet::kSingleLanes);
+  sign = sign_of_them;
+  last = is_A() ? 1.0 : 0.0;
+  for (AlignedBuffer<double>* numbers : {&x, &s, &dx, &ds, &kept_dx, &kept_ds, &target, &weight})
+    numbers->reserve(lanes);
+}
+
+void InteriorPasses::begin(int n, bool single, const Kernels& kernels) {
+  n_ = n;
+  single_ = single;
+  kernels_ = &kernels;
+  scratch_.reserve(kMostChunks * (kLanes + 1) * static_cast<std::size_t>(padded_rows(n)));
 }
 
 // work(chunk, first, count) for the chunks of the blocks of one side, in the precision that is read; their
 // number.
 template <class Work>
-int InteriorPoint::share(const Side& side, const Work& work) {
+int InteriorPasses::share(const InteriorSide& side, const Work& work) const {
   const PricedPoints& points = side.points;
   const std::ptrdiff_t blocks = reads_single(side) ? points.single_block_count : points.block_count;
   const double numbers = static_cast<double>(points.block_count) * n_ * kLanes;
@@ -40,9 +64,7 @@ int InteriorPoint::share(const Side& side, const Work& work) {
   return chunks;
 }
 
-// u·p for every point.
-// NOLINTNEXTLINE(readability-non-const-parameter): the kernel writes the products
-void InteriorPoint::price(Side& side, const double* u, double* products) {
+void InteriorPasses::price(const InteriorSide& side, const double* u, double* products) const {
   share(side, [&](int /*chunk*/, std::ptrdiff_t first, std::ptrdiff_t count) {
     if (reads_single(side)) {
       const float* blocks = side.points.single_blocks + first * n_ * PointSet::kSingleLanes;
@@ -54,50 +76,32 @@ void InteriorPoint::price(Side& side, const double* u, double* products) {
   });
 }
 
-// s = c - Aᵀy.
-void InteriorPoint::slacks(Side& side, double cost) {
-  price(side, y_.data(), side.s.data());
-  const double t = side.last * y_[static_cast<std::size_t>(n_)];
-  for (std::ptrdiff_t i = 0; i < side.count; ++i) {
-    double& s = side.s[static_cast<std::size_t>(i)];
-    s = cost - side.sign * s - t;
-  }
+void InteriorPasses::compute_slacks(InteriorSide& side, const double* y) const {
+  price(side, y, side.s.data());
+  const double cost = side.is_A() ? 0.0 : 1.0, t = side.last * y[n_];
+  for (std::size_t i = 0; i < side.lanes; ++i) side.s[i] = cost - side.sign * side.s[i] - t;
 }
 
-// How far below what is to stay of them, kept in ds, the slacks are: at most so much of `share(slack)`.
-template <class Share>
-double InteriorPoint::lack(const Side& side, const Share& share) {
-  double largest = 0;
-  for (std::ptrdiff_t i = 0; i < side.points.size; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const double least = kKeptSlack * std::min(side.ds[at], 1.0);
-    largest = std::max(largest, (least - side.s[at]) / share(side.s[at]));
-  }
-  return largest;
-}
-
-// From here on of the points as they are. Where those leave too little of a slack, u becomes shorter and t
-// less.
-void InteriorPoint::leave_single() {
+void InteriorPasses::leave_single(InteriorSides& sides, double* y) {
   if (!single_) return;
-  const bool rounded = reads_single(A_) || reads_single(Q_);
+  auto& [A, Q] = sides;
+  const bool rounded = reads_single(A) || reads_single(Q);
   single_ = false;
   if (!rounded) return;
-  for (Side* side : {&A_, &Q_}) std::copy_n(side->s.data(), side->points.size, side->ds.data());
-  slacks(Q_, 1.0);
-  const double shrink = lack(Q_, [](double slack) { return 1 - std::min(slack, 0.5); });
-  for (int k = 0; k <= n_; ++k) y_[static_cast<std::size_t>(k)] *= 1 - shrink;
-  if (shrink > 0) slacks(Q_, 1.0);
-  slacks(A_, 0.0);
-  const double drop = lack(A_, [](double /*slack*/) { return 1.0; });
-  y_[static_cast<std::size_t>(n_)] -= drop;
-  for (std::ptrdiff_t i = 0; i < A_.points.size; ++i) A_.s[static_cast<std::size_t>(i)] += drop;
+  for (InteriorSide& side : sides) std::copy_n(side.s.data(), side.size, side.ds.data());
+  compute_slacks(Q, y);
+  const double shrink = lack(Q, [](double slack) { return 1 - std::min(slack, 0.5); });
+  for (int k = 0; k <= n_; ++k) y[k] *= 1 - shrink;
+  if (shrink > 0) compute_slacks(Q, y);
+  compute_slacks(A, y);
+  const double drop = lack(A, [](double /*slack*/) { return 1.0; });
+  y[n_] -= drop;
+  for (std::size_t i = 0; i < A.size; ++i) A.s[i] += drop;
 }
 
-// sum += Σ weight_i p_i.
-void InteriorPoint::add_weighted(const Side& side, double* sum) {
+void InteriorPasses::add_weighted(const InteriorSide& side, double* sum) {
   const double* weight = side.weight.data();
-  if (std::all_of(weight, weight + side.count, [](double w) { return w == 0; })) return;
+  if (std::all_of(weight, weight + side.lanes, [](double w) { return w == 0; })) return;
   const std::ptrdiff_t stride = (kLanes + 1) * padded_rows(n_);
   const int chunks = share(side, [&](int chunk, std::ptrdiff_t first, std::ptrdiff_t count) {
     double* scratch = scratch_.data() + chunk * stride;
