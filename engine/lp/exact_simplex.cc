@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "engine/kernels/kernel.h"
-#include "engine/numerics/splitmix64.h"
 
 namespace raygauge {
 namespace {
@@ -56,23 +54,21 @@ ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::spa
   n_ = A.set->dimension();
   m_ = n_ + 1;
   pivots_ = 0;
-  stopwatch_ = &stopwatch;
-  late_ = false;
+  deadline_ = Deadline(&stopwatch);
   scaling_.compute(*A.set, *Q.set);
-  if (is_late()) return End::stopped;
+  if (deadline_.is_over()) return End::stopped;
   if (expected_seconds(n_, scaling_.mean_bits()) > std::min(stopwatch.remaining(), most_seconds)) {
     return End::too_long;
   }
   const auto size = static_cast<std::size_t>(m_);
   column_.resize(size);
-  w_.resize(size);
   Y_.resize(size);
   phase_ = Phase::reach;
   start_from(start);
-  if (late_) return End::stopped;
-  make_nonnegative();
-  perturb();
-  if (reached()) phase_ = Phase::optimise;
+  if (deadline_.was_over()) return End::stopped;
+  basis_.make_nonnegative();
+  basis_.perturb();
+  if (basis_.has_reached()) phase_ = Phase::optimise;
   return run();
 }
 
@@ -82,59 +78,22 @@ double ExactSimplex::expected_seconds(int n, double bits) noexcept {
   return m * m * m * (kSecondsPerEntry + kSecondsPerLimbProduct * limbs * limbs / 3);
 }
 
-// Once late, always late: what was left half done stays unused.
-bool ExactSimplex::is_late() noexcept {
-  late_ = late_ || stopwatch_->expired();
-  return late_;
-}
-
 // From the unit basis, M = D = 1, one column after the other; columns that depend on those before are left
 // out.
 void ExactSimplex::start_from(std::span<const std::int64_t> start) {
-  basic_.assign(static_cast<std::size_t>(m_), {});
-  M_.assign(static_cast<std::size_t>(m_) * static_cast<std::size_t>(m_ + 1), {});
-  D_.assign_scaled(1, 0);
-  for (int i = 0; i < m_; ++i) M(i, i).assign_scaled(1, 0);
+  basis_.reset(m_);
   for (const std::int64_t id : start) {
     if (id < 0) continue;
     form_column(id);
-    compute_w();
-    if (late_) return;
-    int row = -1;
-    for (int i = 0; i < m_; ++i) {
-      if (!basic_[static_cast<std::size_t>(i)].artificial || w_[static_cast<std::size_t>(i)].is_zero())
-        continue;
-      if (row < 0 ||
-          w_[static_cast<std::size_t>(i)].bit_length() < w_[static_cast<std::size_t>(row)].bit_length()) {
-        row = i;
-      }
-    }
-    if (row >= 0) replace(row, id);
+    basis_.transform(column_, deadline_);
+    if (deadline_.was_over()) return;
+    if (const int row = basis_.free_row(); row >= 0) enter(row, id);
   }
 }
 
-// A basic variable below zero gives way to an artificial one with the negated column: its row changes sign.
-void ExactSimplex::make_nonnegative() {
-  for (int i = 0; i < m_; ++i) {
-    if (x(i).sign() >= 0) continue;
-    for (int k = 0; k < m_; ++k) M(i, k).negate();
-    basic_[static_cast<std::size_t>(i)] = {};
-  }
-}
-
-void ExactSimplex::perturb() {
-  constexpr std::uint64_t kDistinct = 1U << 20;
-  for (int i = 0; i < m_; ++i) {
-    product_.assign_scaled(static_cast<double>(1 + splitmix64(static_cast<std::uint64_t>(i)) % kDistinct), 0);
-    perturbed(i).assign_product(D_, product_);
-  }
-}
-
-bool ExactSimplex::reached() const {
-  for (int i = 0; i < m_; ++i) {
-    if (basic_[static_cast<std::size_t>(i)].artificial && !x(i).is_zero()) return false;
-  }
-  return true;
+void ExactSimplex::enter(int row, std::int64_t id) {
+  basis_.replace(row, id, deadline_);
+  if (!deadline_.was_over()) ++pivots_;
 }
 
 ExactSimplex::End ExactSimplex::run() {
@@ -142,24 +101,24 @@ ExactSimplex::End ExactSimplex::run() {
   for (;;) {
     compute_duals();
     const Candidate entering = price();
-    if (is_late()) return End::stopped;
+    if (deadline_.is_over()) return End::stopped;
     if (entering.id < 0) {
       if (phase_ == Phase::optimise) return End::solved;
-      if (!reached()) return End::unreachable;
+      if (!basis_.has_reached()) return End::unreachable;
       phase_ = Phase::optimise;
       continue;
     }
     if (pivots_ >= limit) return End::stopped;
     form_column(entering.id);
-    compute_w();
-    if (late_) return End::stopped;
-    const int row = leaving_row();
+    basis_.transform(column_, deadline_);
+    if (deadline_.was_over()) return End::stopped;
+    const int row = basis_.leaving_row(phase_ == Phase::optimise);
     // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
-    const bool out_of_turn = basic_[static_cast<std::size_t>(row)].artificial;
-    replace(row, entering.id);
-    if (late_) return End::stopped;
-    if (out_of_turn) perturb();
-    if (phase_ == Phase::reach && reached()) phase_ = Phase::optimise;
+    const bool out_of_turn = basis_.is_artificial(row);
+    enter(row, entering.id);
+    if (deadline_.was_over()) return End::stopped;
+    if (out_of_turn) basis_.perturb();
+    if (phase_ == Phase::reach && basis_.has_reached()) phase_ = Phase::optimise;
   }
 }
 
@@ -167,16 +126,9 @@ ExactSimplex::End ExactSimplex::run() {
 void ExactSimplex::compute_duals() {
   for (BigInteger& y : Y_) y.clear();
   for (int i = 0; i < m_; ++i) {
-    const bool costs =
-        phase_ == Phase::optimise ? is_basic_from_Q(i) : basic_[static_cast<std::size_t>(i)].artificial;
-    if (!costs) continue;
-    for (int k = 0; k < m_; ++k) Y_[static_cast<std::size_t>(k)].add(M(i, k));
+    const bool costs = phase_ == Phase::optimise ? basis_.is_from_Q(i) : basis_.is_artificial(i);
+    if (costs) basis_.add_row(i, Y_);
   }
-}
-
-bool ExactSimplex::is_basic_from_Q(int i) const {
-  const Basic& basic = basic_[static_cast<std::size_t>(i)];
-  return !basic.artificial && is_from_Q(basic.id);
 }
 
 double ExactSimplex::Direction::rough(const double* p) const {
@@ -204,7 +156,7 @@ void ExactSimplex::aim(bool from_Q, Direction& direction) const {
     constant = Y_[size].approximate();
     constant.mantissa = -constant.mantissa;
   } else if (phase_ == Phase::optimise) {
-    constant = D_.approximate();
+    constant = basis_.D().approximate();
   }
   std::int64_t largest =
       constant.mantissa.high != 0 ? constant.exponent : std::numeric_limits<std::int64_t>::min() / 2;
@@ -241,7 +193,7 @@ void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best)
   const double error = (n_ + 2) * (n_ + 2) * 0x1p-96;
   const auto count = points.chosen.empty() ? points.set->size() : std::ssize(points.chosen);
   for (std::ptrdiff_t c = 0; c < count; ++c) {
-    if (c % kColumnsBetweenLooks == 0 && is_late()) return;
+    if (c % kColumnsBetweenLooks == 0 && deadline_.is_over()) return;
     const std::int64_t index = points.chosen.empty() ? c : points.chosen[static_cast<std::size_t>(c)];
     const double* p = coordinates(*points.set, index);
     if (direction_.rough(p) > rough_error) continue;
@@ -259,11 +211,11 @@ void ExactSimplex::consider(std::int64_t id, double reduced_cost, double error, 
 
 int ExactSimplex::exact_reduced_cost_sign(std::int64_t id) {
   form_column(id);
-  BigInteger sum;
-  if (is_from_Q(id) && phase_ == Phase::optimise) sum = D_;
+  BigInteger sum, product;
+  if (is_from_Q(id) && phase_ == Phase::optimise) sum = basis_.D();
   for (int k = 0; k < m_; ++k) {
-    product_.assign_product(Y_[static_cast<std::size_t>(k)], column_[static_cast<std::size_t>(k)]);
-    sum.subtract(product_);
+    product.assign_product(Y_[static_cast<std::size_t>(k)], column_[static_cast<std::size_t>(k)]);
+    sum.subtract(product);
   }
   return sum.sign();
 }
@@ -279,98 +231,32 @@ void ExactSimplex::form_column(std::int64_t id) {
   column_[static_cast<std::size_t>(n_)].assign_scaled(from_Q ? 0 : 1, 0);
 }
 
-void ExactSimplex::compute_w() {
-  for (int i = 0; i < m_; ++i) {
-    if (is_late()) return;
-    BigInteger& sum = w_[static_cast<std::size_t>(i)];
-    sum.clear();
-    for (int k = 0; k < m_; ++k) {
-      product_.assign_product(M(i, k), column_[static_cast<std::size_t>(k)]);
-      sum.add(product_);
-    }
-  }
-}
-
-// An artificial variable that has reached zero must stay there once all have: it leaves at the first chance.
-int ExactSimplex::leaving_row() const {
-  int row = -1;
-  for (int i = 0; i < m_; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (phase_ == Phase::optimise && basic_[at].artificial && !w_[at].is_zero()) return i;
-    if (w_[at].sign() > 0 && (row < 0 || ratio_is_less(i, row))) row = i;
-  }
-  return row;
-}
-
-// x_i / w_i < x_r / w_r; among equals artificial variables go first, then the perturbation decides.
-bool ExactSimplex::ratio_is_less(int i, int r) const {
-  const BigInteger& w_i = w_[static_cast<std::size_t>(i)];
-  const BigInteger& w_r = w_[static_cast<std::size_t>(r)];
-  BigInteger left;
-  BigInteger right;
-  left.assign_product(x(i), w_r);
-  right.assign_product(x(r), w_i);
-  if (left != right) return left < right;
-  const bool artificial_i = basic_[static_cast<std::size_t>(i)].artificial;
-  const bool artificial_r = basic_[static_cast<std::size_t>(r)].artificial;
-  if (artificial_i != artificial_r) return artificial_i;
-  left.assign_product(perturbed(i), w_r);
-  right.assign_product(perturbed(r), w_i);
-  return left < right;
-}
-
-void ExactSimplex::replace(int r, std::int64_t id) {
-  const BigInteger p = w_[static_cast<std::size_t>(r)];
-  divisor_.assign(D_);
-  for (int i = 0; i < m_; ++i) {
-    if (i == r) continue;
-    if (is_late()) return;
-    const BigInteger& w = w_[static_cast<std::size_t>(i)];
-    for (int k = 0; k <= m_; ++k) {
-      product_.assign_product(p, M(i, k));
-      other_product_.assign_product(w, M(r, k));
-      product_.subtract(other_product_);
-      divisor_.divide(product_);
-      std::swap(M(i, k), product_);
-    }
-  }
-  D_ = p;
-  if (D_.sign() < 0) {
-    D_.negate();
-    for (BigInteger& entry : M_) entry.negate();
-  }
-  basic_[static_cast<std::size_t>(r)] = {id, false};
-  ++pivots_;
-}
-
 RoundedRatio ExactSimplex::distance() const {
   BigInteger sum;
   for (int i = 0; i < m_; ++i) {
-    if (is_basic_from_Q(i)) sum.add(x(i));
+    if (basis_.is_from_Q(i)) sum.add(basis_.x(i));
   }
-  return rounded_ratio(sum, D_, -scaling_.lift());
+  return rounded_ratio(sum, basis_.D(), -scaling_.lift());
 }
 
 void ExactSimplex::normal(double* u) const {
-  for (int k = 0; k < n_; ++k) u[k] = ratio(Y_[static_cast<std::size_t>(k)], D_, scaling_.shift_Q(k));
+  for (int k = 0; k < n_; ++k) u[k] = ratio(Y_[static_cast<std::size_t>(k)], basis_.D(), scaling_.shift_Q(k));
 }
 
 void ExactSimplex::weights_of_A(std::vector<PointWeight>& weights) const {
   weights.clear();
   for (int i = 0; i < m_; ++i) {
-    const Basic& basic = basic_[static_cast<std::size_t>(i)];
-    if (basic.artificial || is_from_Q(basic.id) || x(i).sign() == 0) continue;
-    weights.push_back({static_cast<std::ptrdiff_t>(index_of(basic.id)), rounded_ratio(x(i), D_, 0).nearest});
+    if (!basis_.is_from_A(i) || basis_.x(i).sign() == 0) continue;
+    weights.push_back({index_of(basis_.id(i)), rounded_ratio(basis_.x(i), basis_.D(), 0).nearest});
   }
 }
 
 void ExactSimplex::contact_point(double* p) const {
   std::fill_n(p, n_, 0.0);
   for (int i = 0; i < m_; ++i) {
-    const Basic& basic = basic_[static_cast<std::size_t>(i)];
-    if (basic.artificial || is_from_Q(basic.id)) continue;
-    const double alpha = ratio(x(i), D_, 0);
-    const double* a = coordinates(*A_.set, index_of(basic.id));
+    if (!basis_.is_from_A(i)) continue;
+    const double alpha = ratio(basis_.x(i), basis_.D(), 0);
+    const double* a = coordinates(*A_.set, index_of(basis_.id(i)));
     for (int k = 0; k < n_; ++k) p[k] += alpha * a[static_cast<std::ptrdiff_t>(k) * PointSet::kLanes];
   }
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/lp/integer_basis.h"
 #include "engine/lp/integer_scaling.h"
 #include "engine/numerics/big_integer.h"
 #include "engine/numerics/stopwatch.h"
@@ -16,15 +17,8 @@ namespace raygauge {
 
 /// The linear program of PrimalSimplex in exact arithmetic: the last resort where rounding keeps a
 /// floating-point solve from a proof. Doubles are dyadic rationals, hence integers after scaling by powers of
-/// two. The simplex is fraction-free (Edmonds; Azulay & Pique 1998): beside D = |det B| it keeps the integer
-/// matrix M = D B⁻¹, so that with p = w_r, w = M c, a basis change is
-///
-///     M_i <- (p M_i - w_i M_r) / D  for i ≠ r,      D <- p,
-///
-/// divisions that leave no remainder. Degenerate vertices are left by way of a symbolic perturbation: beside
-/// x = B⁻¹ b goes B⁻¹ b' with random b' that was positive at the start, and decides among equal ratios. The
-/// last floating-point basis is the start, so that few changes remain; columns are priced in double-double
-/// arithmetic first and exactly only where that leaves a sign in doubt.
+/// two (IntegerBasis). The last floating-point basis is the start, so that few changes remain; columns are
+/// priced in double-double arithmetic first and exactly only where that leaves a sign in doubt.
 class ExactSimplex {
  public:
   enum class End : std::uint8_t {
@@ -59,10 +53,6 @@ class ExactSimplex {
 
  private:
   enum class Phase : std::uint8_t { reach, optimise };
-  struct Basic {
-    std::int64_t id = -1;
-    bool artificial = true;
-  };
   // constant + Σ_k factor_k (unit_k p_k) with powers of two unit_k that bring the coordinates p_k of a set
   // below 1.
   struct Direction {
@@ -77,12 +67,8 @@ class ExactSimplex {
     double reduced_cost = 0;  // relative to the largest term in it
   };
 
-  bool is_late() noexcept;
   void start_from(std::span<const std::int64_t> start);
-  void make_nonnegative();
-  void perturb();
   End run();
-  bool reached() const;
   void compute_duals();
   void aim(bool from_Q, Direction& direction) const;
   Candidate price();
@@ -90,40 +76,20 @@ class ExactSimplex {
   void consider(std::int64_t id, double reduced_cost, double error, Candidate& best);
   int exact_reduced_cost_sign(std::int64_t id);
   void form_column(std::int64_t id);
-  void compute_w();
-  int leaving_row() const;
-  bool ratio_is_less(int i, int r) const;
-  void replace(int r, std::int64_t id);
-  std::size_t place(int i, int k) const {
-    return static_cast<std::size_t>(i) * static_cast<std::size_t>(m_ + 1) + static_cast<std::size_t>(k);
-  }
-
-  BigInteger& M(int i, int k) { return M_[place(i, k)]; }
-  const BigInteger& M(int i, int k) const { return M_[place(i, k)]; }
-  const BigInteger& x(int i) const { return M(i, m_ - 1); }  // D x_i: b is the last unit vector
-  BigInteger& perturbed(int i) { return M(i, m_); }          // D (B⁻¹ b')_i
-  const BigInteger& perturbed(int i) const { return M(i, m_); }
-  bool is_basic_from_Q(int i) const;
+  void enter(int row, std::int64_t id);
 
   Points A_;
   Points Q_;
-  const Stopwatch* stopwatch_ = nullptr;
-  bool late_ = false;  // the stopwatch has expired, and what is at hand may be half done
+  Deadline deadline_;  // when it is over, what is at hand may be half done
   IntegerScaling scaling_;
   int n_ = 0;
   int m_ = 0;
   Phase phase_ = Phase::reach;
   std::int64_t pivots_ = 0;
-  std::vector<BigInteger> M_;  // m rows of m + 1: M and the perturbation
-  BigInteger D_;
-  std::vector<Basic> basic_;
+  IntegerBasis basis_;
   std::vector<BigInteger> column_;
-  std::vector<BigInteger> w_;
   std::vector<BigInteger> Y_;  // D y
   Direction direction_;
-  ExactDivisor divisor_;
-  BigInteger product_;
-  BigInteger other_product_;
 };
 
 }  // namespace raygauge
