@@ -198,16 +198,11 @@ TwofoldSimplex::Entering TwofoldSimplex::price_all() {
 
 bool TwofoldSimplex::gap_is_closed(const Entering& priced) const {
   if (phase_ != Phase::optimise || !(priced.h_Q > 0)) return false;
-  const double objective = objective_of_basis();
-  return objective + priced.h_A / priced.h_Q <= gap_tolerance_ * objective;
-}
-
-double TwofoldSimplex::objective_of_basis() const {
-  double sum = 0;
+  double objective = 0;
   for (int i = 0; i < m_; ++i) {
-    if (is_from_Q(basis_.id(i))) sum += basis_.x(i).high;
+    if (is_from_Q(basis_.id(i))) objective += basis_.x(i).high;
   }
-  return sum;
+  return objective + priced.h_A / priced.h_Q <= gap_tolerance_ * objective;
 }
 
 void TwofoldSimplex::measure_noise() {
@@ -260,19 +255,19 @@ bool TwofoldSimplex::enter(std::int64_t id) {
   return true;
 }
 
-double TwofoldSimplex::upper(const Stopwatch& stopwatch) {
-  basis_.solve(solution_);
+double TwofoldPointBasis::upper(const Stopwatch& stopwatch) {
+  solve(solution_);
   if (!(solution_.error < kInfinity)) return kInfinity;
   DoubleDouble beta;
   zeros_.clear();
-  for (int i = 0; i < m_; ++i) {
+  for (int i = 0; i < size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double x = solution_.part[0][at];  // the others are below its last bit
-    if (basis_.is_artificial(i) || !(x > 2 * solution_.error)) {
+    if (is_artificial(i) || !(x > 2 * solution_.error)) {
       if (!(std::fabs(x) <= 4 * solution_.error)) return kInfinity;
       zeros_.push_back(i);
       solution_.part[0][at] = 0;
-    } else if (is_from_Q(basis_.id(i))) {
+    } else if (is_from_Q(id(i))) {
       beta = beta + DoubleDouble{x, solution_.part[1][at]};
     }
   }
@@ -280,45 +275,45 @@ double TwofoldSimplex::upper(const Stopwatch& stopwatch) {
   if (!zeros_.empty() && !are_zero(stopwatch)) return kInfinity;
   if (objective_ == 0) return 0;
   // Third parts are below 2⁻¹⁰⁵ of the first ones.
-  return (objective_ + m_ * solution_.error) * (1 + 4 * kUnitRoundoff + m_ * 0x1p-98);
+  return (objective_ + size() * solution_.error) * (1 + 4 * kUnitRoundoff + size() * 0x1p-98);
 }
 
 // Whether the weights at zeros_ are exactly zero: the other columns, which are independent, span the
 // right-hand side.
-bool TwofoldSimplex::are_zero(const Stopwatch& stopwatch) {
-  const auto count = m_ - static_cast<int>(zeros_.size());
-  const auto m = static_cast<std::size_t>(m_);
-  columns_.assign((static_cast<std::size_t>(count) + 1) * m, 0.0);
+bool TwofoldPointBasis::are_zero(const Stopwatch& stopwatch) {
+  const int m = size(), count = m - static_cast<int>(zeros_.size());
+  columns_.assign((static_cast<std::size_t>(count) + 1) * static_cast<std::size_t>(m), 0.0);
   double* next = columns_.data();
   auto zero = zeros_.begin();
-  for (int i = 0; i < m_; ++i) {
+  for (int i = 0; i < m; ++i) {
     if (zero != zeros_.end() && *zero == i) {
       ++zero;
       continue;
     }
-    next = std::copy_n(basis_.column(i), m_, next);
+    next = std::copy_n(column(i), m, next);
   }
   columns_.back() = 1;
   std::vector<int> chosen(static_cast<std::size_t>(count));
   std::iota(chosen.begin(), chosen.end(), 0);
-  return columns_span({columns_.data(), m_, m_, count + 1}, chosen, stopwatch);
+  return columns_span({columns_.data(), m, m, count + 1}, chosen, stopwatch);
 }
 
-void TwofoldSimplex::contact_point(double* point) const {
-  std::fill_n(point, n_, 0.0);
-  for (int i = 0; i < m_; ++i) {
-    if (basis_.is_artificial(i) || is_from_Q(basis_.id(i))) continue;
+void TwofoldPointBasis::contact_point(double* point) const {
+  const int n = size() - 1;
+  std::fill_n(point, n, 0.0);
+  for (int i = 0; i < size(); ++i) {
+    if (!is_point_of_A(i)) continue;
     const double weight = solution_.part[0][static_cast<std::size_t>(i)];
-    for (int k = 0; k < n_; ++k) point[k] += weight * basis_.column(i)[k];
+    for (int k = 0; k < n; ++k) point[k] += weight * column(i)[k];
   }
 }
 
-void TwofoldSimplex::weights_of_A(std::vector<PointWeight>& weights) const {
+void TwofoldPointBasis::weights_of_A(std::vector<PointWeight>& weights) const {
   weights.clear();
-  for (int i = 0; i < m_; ++i) {
+  for (int i = 0; i < size(); ++i) {
     const double weight = solution_.part[0][static_cast<std::size_t>(i)];
-    if (basis_.is_artificial(i) || is_from_Q(basis_.id(i)) || weight == 0) continue;
-    weights.push_back({static_cast<std::ptrdiff_t>(basis_.id(i) / 2), weight});
+    if (!is_point_of_A(i) || weight == 0) continue;
+    weights.push_back({static_cast<std::ptrdiff_t>(id(i) / 2), weight});
   }
 }
 

@@ -14,6 +14,29 @@
 
 namespace raygauge {
 
+/// As PointBasis, in double-double arithmetic.
+class TwofoldPointBasis : public TwofoldBasis {
+ public:
+  /// Σβ of the exact basic solution, rounded up, where its weights are proven to be positive or exactly zero
+  /// (columns_span); 0 only where it is exactly 0. +infinity where nothing is proven.
+  double upper(const Stopwatch& stopwatch);
+
+  /// Of the solution of the last upper(), as computed: Σβ, the point Σα_i a_i scaled as the points are, and
+  /// the points of A with positive weights.
+  double objective() const noexcept { return objective_; }
+  void contact_point(double* point) const;
+  void weights_of_A(std::vector<PointWeight>& weights) const;
+
+ private:
+  bool is_point_of_A(int i) const { return !is_artificial(i) && !is_from_Q(id(i)); }
+  bool are_zero(const Stopwatch& stopwatch);
+
+  Solution solution_;
+  double objective_ = 0;
+  std::vector<int> zeros_;       // positions of weights that are zero, in solution_
+  std::vector<double> columns_;  // at the others
+};
+
 /// The linear program of PrimalSimplex in double-double arithmetic: for bases whose condition, 10¹⁵ and more,
 /// leads the simplex in doubles astray and leaves nothing of its proofs, at a small share of what exact
 /// arithmetic costs. Bounds |u_k| are not needed: artificial columns with weight are driven out in a first
@@ -43,15 +66,8 @@ class TwofoldSimplex {
   const double* normal() const noexcept { return y_.data(); }
   const double* normal_low() const noexcept { return y_low_.data(); }
 
-  /// Σβ of the exact basic solution, rounded up, where its weights are proven to be positive or exactly zero
-  /// (columns_span); 0 only where it is exactly 0. +infinity where nothing is proven.
-  double upper(const Stopwatch& stopwatch);
-
-  /// Of the solution of the last upper(), as computed: Σβ, the point Σα_i a_i scaled as the points are, and
-  /// the points of A with positive weights.
-  double objective() const noexcept { return objective_; }
-  void contact_point(double* point) const;
-  void weights_of_A(std::vector<PointWeight>& weights) const;
+  /// Where its upper bounds come from.
+  TwofoldPointBasis& basis() noexcept { return basis_; }
 
   std::int64_t pivots() const noexcept { return pivots_; }
   std::int64_t points_priced() const noexcept { return points_priced_; }
@@ -83,8 +99,6 @@ class TwofoldSimplex {
   void measure_noise();
   int leaving_row() const;
   bool enter(std::int64_t id);
-  double objective_of_basis() const;
-  bool are_zero(const Stopwatch& stopwatch);
 
   Points A_, Q_;
   const Kernels* kernels_ = nullptr;
@@ -94,13 +108,9 @@ class TwofoldSimplex {
   Phase phase_ = Phase::reach;
   double gap_tolerance_ = 0;
   double margin_ = 0;  // of Phase::separate
-  double objective_ = 0;
   std::int64_t pivots_ = 0;
   std::int64_t points_priced_ = 0;
-  TwofoldBasis basis_;
-  TwofoldBasis::Solution solution_;
-  std::vector<int> zeros_;       // positions of weights that are zero, in solution_
-  std::vector<double> columns_;  // at the others
+  TwofoldPointBasis basis_;
   AlignedBuffer<double> column_, y_, y_low_, u_, u_low_, values_, cost_;
   AlignedBuffer<double> noise_;  // of the entries of x and w: rounding
 };

@@ -54,7 +54,7 @@ bool LastResort::certify_twofold(const SiftingSolve& solve) {
     solve.plane.take(twofold_.normal(), solve.sets.n());
     return solve.plane.certify(solve);
   }
-  const double upper = twofold_.upper(solve.stopwatch);
+  const double upper = twofold_.basis().upper(solve.stopwatch);
   if (upper > 0 && !solve.closes(lower, upper)) return false;
   write_twofold(solve, lower, upper);
   return true;
@@ -65,11 +65,11 @@ void LastResort::write_twofold(const SiftingSolve& solve, double lower, double u
   write_answer(solve, DistanceStatus::optimal, lower, upper);
   if (upper == 0) {
     result.status = DistanceStatus::contains_origin;
-    twofold_.weights_of_A(result.origin_weights);
+    twofold_.basis().weights_of_A(result.origin_weights);
   }
-  write_estimate(solve, twofold_.objective());
+  write_estimate(solve, twofold_.basis().objective());
   if (double* contact = result.room_for_contact(solve.effects, solve.sets.n())) {
-    twofold_.contact_point(contact);
+    twofold_.basis().contact_point(contact);
     solve.sets.to_own_units(contact);
   }
   result.counters.pivots += twofold_.pivots();
@@ -116,8 +116,8 @@ void LastResort::write_origin_weights(const SiftingSolve& solve) {
     exact_.weights_of_A(weights);
     return;
   }
-  if (solve_twofold(solve) == TwofoldSimplex::End::solved && twofold_.upper(solve.stopwatch) == 0)
-    twofold_.weights_of_A(weights);
+  if (solve_twofold(solve) == TwofoldSimplex::End::solved && twofold_.basis().upper(solve.stopwatch) == 0)
+    twofold_.basis().weights_of_A(weights);
 }
 
 }  // namespace raygauge

@@ -63,7 +63,7 @@ TEST_P(TwofoldSimplexOnEveryKernel, AgreesWithTheExactSimplexWhereDoublesFail) {
       ASSERT_EQ(exact.solve({&A, {}}, {&Q, {}}, {}, Stopwatch()), ExactSimplex::End::solved);
       ASSERT_EQ(solve(A, Q), End::solved) << "n = " << n << ", bits = " << bits;
       const double d = exact.distance().nearest;
-      const double upper = program_.upper(Stopwatch());
+      const double upper = program_.basis().upper(Stopwatch());
       EXPECT_GE(upper, exact.distance().below) << "n = " << n << ", bits = " << bits;
       EXPECT_LE(upper, d * (1 + 1e-13)) << "n = " << n << ", bits = " << bits;
       EXPECT_LE(lower(A, Q), exact.distance().above) << "n = " << n << ", bits = " << bits;
@@ -78,8 +78,8 @@ TEST_P(TwofoldSimplexOnEveryKernel, ProvesDegenerateOptimaExactly) {
     Eigen::MatrixXd a = lattice_points(n, 2).array() + 3;
     const PointSet A(a), Q(cube_vertices(n));
     ASSERT_EQ(solve(A, Q), End::solved) << "n = " << n;
-    EXPECT_NEAR(program_.upper(Stopwatch()), 3, 1e-14) << "n = " << n;
-    EXPECT_GE(program_.upper(Stopwatch()), 3) << "n = " << n;
+    EXPECT_NEAR(program_.basis().upper(Stopwatch()), 3, 1e-14) << "n = " << n;
+    EXPECT_GE(program_.basis().upper(Stopwatch()), 3) << "n = " << n;
   }
 }
 
@@ -88,9 +88,9 @@ TEST_P(TwofoldSimplexOnEveryKernel, FindsTheOriginInAFaceOfA) {
   a << 1, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
   const PointSet A(a), Q(cross_polytope_vertices(3));
   ASSERT_EQ(solve(A, Q), End::solved);
-  EXPECT_EQ(program_.upper(Stopwatch()), 0);
+  EXPECT_EQ(program_.basis().upper(Stopwatch()), 0);
   std::vector<PointWeight> weights;
-  program_.weights_of_A(weights);
+  program_.basis().weights_of_A(weights);
   ASSERT_EQ(weights.size(), 2U);
   for (const PointWeight& point : weights) EXPECT_NEAR(point.weight, 0.5, 1e-15);
 }
@@ -135,7 +135,7 @@ TEST_P(TwofoldSimplexOnEveryKernel, NeverContradictsTheExactSimplex) {
       ++undecided;
       continue;
     }
-    const double above = program_.upper(Stopwatch());
+    const double above = program_.basis().upper(Stopwatch());
     EXPECT_GE(above, exact.distance().below) << "instance " << instance;
     EXPECT_EQ(above == 0, exact.distance().above == 0) << "instance " << instance;
     (above < kInfinite ? solved : undecided) += 1;
