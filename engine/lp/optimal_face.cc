@@ -35,6 +35,67 @@ double largest_of(const double* x, std::size_t count) {
 
 }  // namespace
 
+// Weighted: the pivots' weights are those that will change.
+void Elimination::scale(int m, const std::vector<double>& columns, const std::vector<double>& weights) {
+  const auto size = static_cast<std::size_t>(m);
+  eliminated_.reserve(weights.size() * static_cast<std::size_t>(padded_rows(m)));
+  largest_.assign(weights.size(), 0.0);
+  left_.clear();
+  const double heaviest = *std::max_element(weights.begin(), weights.end());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const double* given = columns.data() + i * size;
+    const double largest = largest_of(given, size);
+    if (!(largest > 0)) continue;
+    const double scale = std::max(weights[i] / heaviest, kLeastScale) / largest;
+    double* scaled = column(static_cast<int>(i), m);
+    for (std::size_t k = 0; k < size; ++k) scaled[k] = scale * given[k];
+    std::fill(scaled + m, scaled + padded_rows(m), 0.0);
+    largest_[i] = largest_of(scaled, size);
+    left_.push_back(static_cast<int>(i));
+  }
+}
+
+void Elimination::choose(int m, const std::vector<double>& columns, const std::vector<double>& weights,
+                         std::ptrdiff_t most, const Kernels& kernels, const Stopwatch& stopwatch,
+                         std::vector<Pivot>& pivots) {
+  pivots.clear();
+  scale(m, columns, weights);
+  const auto has_less = [this](int a, int b) {
+    return largest_[static_cast<std::size_t>(a)] < largest_[static_cast<std::size_t>(b)];
+  };
+  if (std::ssize(left_) > most) {
+    std::nth_element(left_.begin(), left_.begin() + most, left_.end(),
+                     [&](int a, int b) { return has_less(b, a); });
+    left_.resize(static_cast<std::size_t>(most));
+  }
+  double first = 0;
+  while (std::ssize(pivots) < m && !left_.empty() && !stopwatch.expired()) {
+    const auto best = std::max_element(left_.begin(), left_.end(), has_less);
+    const int chosen = *best;
+    const double largest = largest_[static_cast<std::size_t>(chosen)];
+    if (pivots.empty()) first = largest;
+    if (!(largest > kIndependent * first)) return;
+    left_.erase(best);
+    pivots.push_back(clear_row_of(m, chosen, kernels));
+  }
+}
+
+// A step of the elimination: the largest entry of the column is the pivot of the others that are left.
+Elimination::Pivot Elimination::clear_row_of(int m, int id, const Kernels& kernels) {
+  double* chosen = column(id, m);
+  const double largest = largest_[static_cast<std::size_t>(id)];
+  std::size_t row = 0;
+  while (std::fabs(chosen[row]) != largest) ++row;
+  const double pivot = std::exchange(chosen[row], 0.0);
+  for (const int i : left_) {
+    double* other = column(i, m);
+    const double factor = std::exchange(other[row], 0.0) / pivot;
+    if (factor == 0) continue;
+    largest_[static_cast<std::size_t>(i)] = kernels.add_multiple(other, chosen, padded_rows(m), -factor);
+  }
+  return {static_cast<int>(row), id};
+}
+
 void OptimalFace::begin(int m, const Kernels& kernels) {
   m_ = m;
   kernels_ = &kernels;
@@ -52,65 +113,9 @@ void OptimalFace::add(const double* column, double cost, double weight, std::int
   ids_.push_back(id);
 }
 
-// By elimination with complete pivoting. Columns count by their weights: the pivots' weights are those that
-// will change.
-void OptimalFace::eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most) {
-  const auto m = static_cast<std::size_t>(m_);
-  const auto count = static_cast<std::size_t>(this->count());
-  pivots_.clear();
-  eliminated_.reserve(count * static_cast<std::size_t>(padded_rows(m_)));
-  largest_.assign(count, 0.0);
-  left_.clear();
-  const double heaviest = *std::max_element(weights_.begin(), weights_.end());
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* given = columns_.data() + i * m;
-    const double largest = largest_of(given, m);
-    if (!(largest > 0)) continue;
-    const double scale = std::max(weights_[i] / heaviest, kLeastScale) / largest;
-    double* scaled = eliminated(static_cast<int>(i));
-    for (std::size_t k = 0; k < m; ++k) scaled[k] = scale * given[k];
-    std::fill(scaled + m, scaled + padded_rows(m_), 0.0);
-    largest_[i] = largest_of(scaled, m);
-    left_.push_back(static_cast<int>(i));
-  }
-  if (std::ssize(left_) > most) {
-    std::nth_element(left_.begin(), left_.begin() + most, left_.end(), [this](int a, int b) {
-      return largest_[static_cast<std::size_t>(a)] > largest_[static_cast<std::size_t>(b)];
-    });
-    left_.resize(static_cast<std::size_t>(most));
-  }
-  double first = 0;
-  while (rank() < m_ && !left_.empty() && !stopwatch.expired()) {
-    const auto best = std::max_element(left_.begin(), left_.end(), [this](int a, int b) {
-      return largest_[static_cast<std::size_t>(a)] < largest_[static_cast<std::size_t>(b)];
-    });
-    const auto at = static_cast<std::size_t>(*best);
-    if (pivots_.empty()) first = largest_[at];
-    if (!(largest_[at] > kIndependent * first)) return;
-    left_.erase(best);
-    clear_row_of(static_cast<int>(at));
-  }
-}
-
-// A step of the elimination: the largest entry of the column is the pivot of the others that are left.
-void OptimalFace::clear_row_of(int id) {
-  double* chosen = eliminated(id);
-  const double largest = largest_[static_cast<std::size_t>(id)];
-  std::size_t row = 0;
-  while (std::fabs(chosen[row]) != largest) ++row;
-  pivots_.push_back({static_cast<int>(row), id});
-  const double pivot = std::exchange(chosen[row], 0.0);
-  for (const int i : left_) {
-    double* column = eliminated(i);
-    const double factor = std::exchange(column[row], 0.0) / pivot;
-    if (factor == 0) continue;
-    largest_[static_cast<std::size_t>(i)] = kernels_->add_multiple(column, chosen, padded_rows(m_), -factor);
-  }
-}
-
 bool OptimalFace::choose(const Stopwatch& stopwatch, std::ptrdiff_t most) {
   if (ids_.empty()) return false;
-  eliminate(stopwatch, most);
+  elimination_.choose(m_, columns_, weights_, most, *kernels_, stopwatch, pivots_);
   if (rank() == 0 || stopwatch.expired()) return false;
   take_pivots();
   return true;

@@ -14,6 +14,30 @@
 
 namespace raygauge {
 
+/// Elimination with complete pivoting: independent columns of a matrix and rows where they are so.
+class Elimination {
+ public:
+  struct Pivot {
+    int row;
+    int column;
+  };
+
+  /// Of columns of m entries, one after the other, which count by their weights; of the `most` with the
+  /// largest weighted entries. The pivots are fewer where ranks end or the stopwatch does.
+  void choose(int m, const std::vector<double>& columns, const std::vector<double>& weights,
+              std::ptrdiff_t most, const Kernels& kernels, const Stopwatch& stopwatch,
+              std::vector<Pivot>& pivots);
+
+ private:
+  void scale(int m, const std::vector<double>& columns, const std::vector<double>& weights);
+  Pivot clear_row_of(int m, int column, const Kernels& kernels);
+  double* column(int i, int m) noexcept { return eliminated_.data() + std::ptrdiff_t{i} * padded_rows(m); }
+
+  AlignedBuffer<double> eliminated_;  // columns, padded
+  std::vector<double> largest_;       // entry of each of them
+  std::vector<int> left_;             // of them: those that are no pivots yet
+};
+
 /// The optimal face of  min c·x, M x = b, x >= 0  as an interior-point method sees it: the columns that carry
 /// weight, with their weights. Of rank r, however degenerate the optimum is: with r pivot columns P and rows
 /// R, the weights x_P = M_RP⁻¹ (b - M x)_R of the pivots follow from the others, which stay as they are, and
@@ -56,14 +80,9 @@ class OptimalFace {
   const double* column(int i) const { return columns_.data() + static_cast<std::ptrdiff_t>(i) * m_; }
 
  private:
-  struct Pivot {
-    int row;
-    int column;
-  };
-  void eliminate(const Stopwatch& stopwatch, std::ptrdiff_t most);
+  using Pivot = Elimination::Pivot;
+
   void take_pivots();
-  double* eliminated(int i) noexcept { return eliminated_.data() + std::ptrdiff_t{i} * padded_rows(m_); }
-  void clear_row_of(int id);
   bool leave_others_out();
   void leave_out(int j);
   void keep_heavier_than(double least);
@@ -79,13 +98,11 @@ class OptimalFace {
   std::vector<double> columns_;  // m entries each
   std::vector<double> costs_, weights_;
   std::vector<std::int64_t> ids_;
+  Elimination elimination_;
   std::vector<Pivot> pivots_;
   std::vector<bool> is_pivot_;  // of columns
   std::vector<double> work_;
-  AlignedBuffer<double> eliminated_;  // columns, padded
-  std::vector<double> largest_;       // entry of each of them
-  std::vector<int> left_;             // of them: those that are no pivots yet
-  std::vector<double> b_low_;         // of the right-hand side at hand
+  std::vector<double> b_low_;  // of the right-hand side at hand
   bool rounded_ = false;
   Basis basis_;       // M_RP
   Basis transposed_;  // its transpose
