@@ -5,8 +5,7 @@
 #include <cstdint>
 
 #include "engine/lp/basis.h"
-#include "engine/methods/column_generation/support_oracle.h"
-#include "engine/numerics/aligned_buffer.h"
+#include "engine/methods/zheng_yamane/ray_set.h"
 #include "engine/numerics/stopwatch.h"
 
 namespace raygauge {
@@ -45,64 +44,34 @@ class RayShooter {
 
   double sigma() const noexcept { return sigma_; }
   const double* normal() const noexcept { return basis_->view().y; }
-  const SupportValue& h_A() const noexcept { return h_A_; }  ///< h_A(normal)
-  const SupportValue& h_Q() const noexcept { return h_Q_; }  ///< h_Q(-normal)
+  const RaySet& set() const noexcept { return set_; }  ///< its last verification was along the normal
 
-  std::int64_t iterations() const noexcept { return iterations_; }  ///< N_rs, all calls together
-  std::int64_t passes() const noexcept { return passes_; }          ///< of those the ones over sets
   std::int64_t pivots() const noexcept { return pivots_ + basis_->view().pivots; }
   std::int64_t refactorisations() const noexcept { return refactorisations_; }
 
-  /// The vertices s_l of the last hit as pairs (s_A(u_l), s_Q(-u_l)); nullptr where position l < n holds
-  /// none.
-  const double* vertex_A(int l) const noexcept;
-  const double* vertex_Q(int l) const noexcept;
+  /// The slot in set() of vertex s_l of the last hit, l < n; negative where there is none.
+  std::int64_t vertex(int l) const noexcept { return basis_->view().id[l]; }
 
  private:
-  void start_cold(double eta);
-  bool move_vertices(double eta);
-  double best_column(const double* u, double eta, double enough);
-  double query_shortlists(const double* u, double eta);
-  double query(const double* u, double eta);
-  double verify(const double* u, double eta);
-  double support_of_column(const double* u, double eta);
-  double* slot_A(std::int64_t slot) const noexcept;
-  double* slot_Q(std::int64_t slot) const noexcept;
-  void form_column(std::int64_t slot, double eta, double* column) const;
+  void start_cold();
+  bool move_vertices();
   double artificial_weight() const;
-  int between_looks() const;
-  bool overtakes(double overtaking) const noexcept;
-  bool is_overtaken(double eta, double overtaking);
   bool enter_candidate(double h_S);
   bool raise_artificial_costs();
 
-  SupportOracle* A_ = nullptr;
-  SupportOracle* Q_ = nullptr;
   const Kernels* kernels_ = nullptr;
   int n_ = 0;
   bool warm_ = false;
   double eta_shot_ = 0;
   double sigma_ = 0;
   int raises_ = 0;
-  double best_A_ = 0;  // of the last query
-  double best_Q_ = 0;
-  SupportValue h_A_;  // of the last verification
-  SupportValue h_Q_;
-  std::int64_t iterations_ = 0;
-  std::int64_t passes_ = 0;
-  bool keeps_shortlists_ = false;
-  double shortlist_excess_ = 0;  // of the best column after the last pass
-  int shortlisted_ = 0;          // queries of the shortlists before the next pass
   std::int64_t pivots_ = 0;
   std::int64_t refactorisations_ = 0;
-  std::int64_t free_slot_ = 0;
 
   Basis bases_[2];
   Basis* basis_ = &bases_[0];
   Basis* spare_ = &bases_[1];
-  AlignedBuffer<double> center_;
-  AlignedBuffer<double> slots_;  // n + 1 slots of two points: those of the basis, and one to enter
-  AlignedBuffer<double> column_;
+  RaySet set_;
 };
 
 }  // namespace raygauge

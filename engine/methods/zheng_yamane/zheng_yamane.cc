@@ -126,8 +126,8 @@ ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {
 
 // Equation (10): the next η is a lower bound, whatever the normal.
 void ZhengYamane::bound_by_normal() {
-  const SupportValue& h_A = shooter_.h_A();
-  const SupportValue& h_Q = shooter_.h_Q();
+  const SupportValue& h_A = shooter_.set().h_A();
+  const SupportValue& h_Q = shooter_.set().h_Q();
   const double bound = lower_bound(h_A, h_Q);
   eta_next_ = h_Q.value > 0 ? -h_A.value / h_Q.value : 0.0;
   if (!bounds_.raise_lower(bound) && outer_iterations_ > 1) return;
@@ -141,9 +141,10 @@ void ZhengYamane::bound_by_normal() {
 void ZhengYamane::bound_by_vertices() {
   last_vertices_.begin(oracle_A_, oracle_Q_, n_, options_, *kernels_);
   for (int l = 0; l < n_; ++l) {
-    if (shooter_.vertex_A(l) == nullptr) continue;
-    last_vertices_.offer_A(shooter_.vertex_A(l));
-    last_vertices_.offer_Q(shooter_.vertex_Q(l));
+    const std::int64_t slot = shooter_.vertex(l);
+    if (slot < 0) continue;
+    last_vertices_.offer_A(shooter_.set().slot_A(slot));
+    last_vertices_.offer_Q(shooter_.set().slot_Q(slot));
   }
   if (last_vertices_.offered() == 0) return;
   last_vertices_.solve_offered(normal_.data(), *stopwatch_);
@@ -173,8 +174,8 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
 DistanceCounters ZhengYamane::counters() const {
   DistanceCounters counters;
   counters.outer_iterations = outer_iterations_;
-  counters.ray_iterations = shooter_.iterations();
-  counters.support_queries = 2 * shooter_.passes();
+  counters.ray_iterations = shooter_.set().iterations();
+  counters.support_queries = 2 * shooter_.set().passes();
   counters.pivots = shooter_.pivots();
   counters.refactorisations = shooter_.refactorisations();
   counters.witness_evaluations = witness_evaluations_;

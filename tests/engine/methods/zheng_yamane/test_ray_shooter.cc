@@ -62,7 +62,7 @@ TEST(RayShooter, FindsTheGrowthOfTwoBalls) {
       EXPECT_NEAR(rays.shooter.sigma(), 2.5 / (1 + eta), 1e-10);
       const Eigen::Map<const Eigen::VectorXd> u(rays.shooter.normal(), n);
       EXPECT_NEAR(-u.dot(Eigen::VectorXd(center)) / (u.norm() * 2.5), 1, 1e-9) << "against the ray";
-      EXPECT_NEAR(rays.shooter.h_Q().value, u.norm(), 1e-12 * u.norm());
+      EXPECT_NEAR(rays.shooter.set().h_Q().value, u.norm(), 1e-12 * u.norm());
     }
   }
 }
@@ -85,8 +85,9 @@ TEST(RayShooter, HitsPointSetsAtTheirOwnPoints) {
     EXPECT_GT(rays.shooter.sigma(), 1);
     int vertices = 0;
     for (int l = 0; l < n; ++l) {
-      const double* a = rays.shooter.vertex_A(l);
-      if (a == nullptr) continue;
+      const std::int64_t slot = rays.shooter.vertex(l);
+      if (slot < 0) continue;
+      const double* a = rays.shooter.set().slot_A(slot);
       ++vertices;
       bool is_point = false;
       for (std::ptrdiff_t i = 0; i < A.size() && !is_point; ++i)
@@ -101,14 +102,14 @@ TEST(RayShooter, LeavesARayWhoseNormalProvesAMuchLargerEta) {
   const auto [A, Q] = Spheres(30, 200, 40, 7);
   Rays rays(A, Q);
   ASSERT_EQ(rays.shoot(1, 1e-7, 2.0), RayShooter::End::overtaken);
-  EXPECT_GE(-rays.shooter.h_A().value / rays.shooter.h_Q().value, 2);
+  EXPECT_GE(-rays.shooter.set().h_A().value / rays.shooter.set().h_Q().value, 2);
 }
 
 TEST(RayShooter, StopsAtItsLimitOfIterations) {
   const auto [A, Q] = Spheres(10, 400, 3, 8);
   Rays rays(A, Q);
   EXPECT_EQ(rays.shoot(1, 1e-12, kInfinity, 5), RayShooter::End::iteration_limit);
-  EXPECT_LE(rays.shooter.iterations(), 6);
+  EXPECT_LE(rays.shooter.set().iterations(), 6);
 }
 
 }  // namespace
