@@ -37,8 +37,8 @@ void ColumnGeneration::solve_by_support(const Problem& problem, DistanceResult& 
   by_support_.begin(oracle_A_, oracle_Q_, n, problem.options, kernels_for(problem.options.instruction_set),
                     std::ldexp(problem.threshold, shift));
   const DistanceStatus status = by_support_.run(problem.stopwatch);
-  write_bounds(by_support_.bounds().scaled(-shift), std::ldexp(by_support_.objective(), -shift), status,
-               result);
+  write_bounds(by_support_.bounds().scaled(-shift), std::ldexp(by_support_.program().objective(), -shift),
+               status, result);
   result.normal = scaling_.factor_Q()[0] * Vector::Map(by_support_.normal(), n);
   counters_ = by_support_.counters();
 }
@@ -48,7 +48,7 @@ bool ColumnGeneration::report_contact(const Problem& problem, DistanceResult& re
   const int n = problem.A.dimension();
   double* contact = result.room_for_contact(problem.effects, n);
   if (contact == nullptr) return false;
-  by_support_.contact_point(contact);
+  by_support_.program().basis().contact_point(contact);
   const bool at_origin = result.status == DistanceStatus::contains_origin;
   const double share = at_origin ? 0.0 : 1 / scaling_.factor_A()[0];
   for (int k = 0; k < n; ++k) contact[k] *= share;
@@ -57,7 +57,7 @@ bool ColumnGeneration::report_contact(const Problem& problem, DistanceResult& re
 
 void ColumnGeneration::contact_combination(WeightedPoints& combination) const {
   if (are_point_sets_) return;
-  by_support_.contact_combination(combination);
+  by_support_.program().basis().points_of_A(combination);
   combination.scale(1 / scaling_.factor_A()[0]);
 }
 

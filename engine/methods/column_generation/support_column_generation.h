@@ -42,10 +42,8 @@ class SupportColumnGeneration {
   void solve_offered(const double* guess, const Stopwatch& stopwatch);
 
   Bounds bounds() const noexcept { return {lower_, upper_}; }
-  double objective() const noexcept { return program_.objective(); }
-  const double* normal() const noexcept { return normal_.data(); }  ///< direction of the lower bound
-  void contact_point(double* point) const { program_.basis().contact_point(point); }
-  void contact_combination(WeightedPoints& combination) const { program_.basis().points_of_A(combination); }
+  const double* normal() const noexcept { return normal_.data(); }    ///< direction of the lower bound
+  const PrimalSimplex& program() const noexcept { return program_; }  ///< over the points met so far
   const DistanceCounters& counters();
 
  private:

@@ -164,7 +164,7 @@ void ZhengYamane::finish(Effects effects, DistanceResult& result) {
     result.normal[k] = normal_[static_cast<std::size_t>(k)] * (scaled_ ? scaling_.factor_Q()[k] : 1.0);
   }
   if (double* contact = result.room_for_contact(effects, n_)) {
-    last_vertices_.contact_point(contact);
+    last_vertices_.program().basis().contact_point(contact);
     for (int k = 0; scaled_ && k < n_; ++k) contact[k] /= scaling_.factor_A()[k];
     ++witness_evaluations_;
   }

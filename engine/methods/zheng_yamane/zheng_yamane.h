@@ -31,7 +31,7 @@ class ZhengYamane : public Method {
   bool solve(const Problem& problem, DistanceResult& result) override;
   DistanceCounters counters() const override;
   void contact_combination(WeightedPoints& combination) const override {
-    last_vertices_.contact_combination(combination);
+    last_vertices_.program().basis().points_of_A(combination);
   }
 
  private:
