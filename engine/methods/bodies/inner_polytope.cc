@@ -15,6 +15,37 @@ namespace {
 
 constexpr int kNext[3] = {1, 2, 0};
 
+// n is right to 16 rounding units of the product of the triangle's shorter edges. By how much n·s is above 0
+// decides whether the triangle is seen counterclockwise; where that is lost in rounding, no offset above 0 is
+// proven.
+template <class Real>
+void measure(const BasicVector3<Real>& a, const BasicVector3<Real>& b, const BasicVector3<Real>& c,
+             double size_of_all, DepthFacet<Real>& facet) {
+  const Vector3 ab = rounded(b - a), bc = rounded(c - b), ca = rounded(a - c);
+  const double of_ab = dot(ab, ab), of_bc = dot(bc, bc), of_ca = dot(ca, ca);
+  const double second = std::max(std::min(of_ab, of_bc), std::min(std::max(of_ab, of_bc), of_ca));
+  const double edges = std::sqrt(std::min({of_ab, of_bc, of_ca})) * std::sqrt(second);
+  const BasicVector3<Real> n = triangle_normal<Real>(a, b, c);
+  const double size = length_of(n);
+  const double scale = size > 0 ? 1 / size : 0.0;
+  facet.n = n * Real{scale};
+  const Real of_a = dot(facet.n, a), of_b = dot(facet.n, b), of_c = dot(facet.n, c);
+  const auto lower_of = [](const Real& x, const Real& y) { return x < y ? x : y; };
+  const auto higher_of = [](const Real& x, const Real& y) { return x < y ? y : x; };
+  facet.reach = higher_of(of_a, higher_of(of_b, of_c));
+  const double least = rounded(lower_of(of_a, lower_of(of_b, of_c)));
+  facet.offset = least - kFacetProduct<Real> * size_of_all - std::fabs(least) * 0x1p-52;
+  const double needed = (kFacetEdges<Real> * edges * scale + kFacetProduct<Real>)*size_of_all;
+  if (!(size > kLeastFacetNormal && least > needed)) facet.offset = std::min(facet.offset, 0.0);
+}
+
+// Of one lane.
+void read(const FacetLanes& lanes, std::size_t lane, DepthFacet<double>& facet) {
+  facet.n = {lanes.n[0][lane], lanes.n[1][lane], lanes.n[2][lane]};
+  facet.reach = lanes.reach[lane];
+  facet.offset = lanes.offset[lane];
+}
+
 }  // namespace
 
 template <class Real>
@@ -126,48 +157,14 @@ bool InnerPolytope<Real>::begin(const DepthPoint<Real>* corners, double size) {
   return true;
 }
 
-// n is right to 16 rounding units of the product of the triangle's shorter edges. By how much n·s is above 0
-// decides whether the triangle is seen counterclockwise; where that is lost in rounding, no offset above 0 is
-// proven.
-template <class Real>
-void InnerPolytope<Real>::measure(DepthFacet<Real>& facet) const {
-  const Vector &a = point(facet.corner[0]).s, &b = point(facet.corner[1]).s, &c = point(facet.corner[2]).s;
-  const Vector3 ab = rounded(b - a), bc = rounded(c - b), ca = rounded(a - c);
-  const double of_ab = dot(ab, ab), of_bc = dot(bc, bc), of_ca = dot(ca, ca);
-  const double second = std::max(std::min(of_ab, of_bc), std::min(std::max(of_ab, of_bc), of_ca));
-  const double edges = std::sqrt(std::min({of_ab, of_bc, of_ca})) * std::sqrt(second);
-  const Vector n = triangle_normal<Real>(a, b, c);
-  const double size = length_of(n);
-  const double scale = size > 0 ? 1 / size : 0.0;
-  facet.n = n * Real{scale};
-  const Real of_a = dot(facet.n, a), of_b = dot(facet.n, b), of_c = dot(facet.n, c);
-  const auto lower_of = [](const Real& x, const Real& y) { return x < y ? x : y; };
-  const auto higher_of = [](const Real& x, const Real& y) { return x < y ? y : x; };
-  facet.reach = higher_of(of_a, higher_of(of_b, of_c));
-  const double least = rounded(lower_of(of_a, lower_of(of_b, of_c)));
-  facet.offset = least - kFacetProduct<Real> * size_ - std::fabs(least) * 0x1p-52;
-  const double needed = (kFacetEdges<Real> * edges * scale + kFacetProduct<Real>)*size_;
-  if (!(size > kLeastFacetNormal && least > needed)) facet.offset = std::min(facet.offset, 0.0);
-}
-
-// Of the lanes, for those that were made, from `first` on.
-template <class Real>
-void InnerPolytope<Real>::read_lanes(std::size_t first, std::size_t count) {
-  if constexpr (kIsDouble<Real>) {
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(made_[first + lane])];
-      facet.n = {lanes_.n[0][lane], lanes_.n[1][lane], lanes_.n[2][lane]};
-      facet.reach = lanes_.reach[lane];
-      facet.offset = lanes_.offset[lane];
-    }
-  }
-}
-
 // Those that were made, eight at a time in doubles.
 template <class Real>
 void InnerPolytope<Real>::measure_made() {
   if constexpr (!kIsDouble<Real>) {
-    for (const std::int32_t i : made_) measure(facets_[static_cast<std::size_t>(i)]);
+    for (const std::int32_t i : made_) {
+      DepthFacet<Real>& facet = facets_[static_cast<std::size_t>(i)];
+      measure(point(facet.corner[0]).s, point(facet.corner[1]).s, point(facet.corner[2]).s, size_, facet);
+    }
   } else {
     constexpr std::size_t kCount = FacetLanes::kCount;
     for (std::size_t first = 0; first < made_.size(); first += kCount) {
@@ -182,7 +179,8 @@ void InnerPolytope<Real>::measure_made() {
         }
       }
       measure_facets(size_, lanes_);
-      read_lanes(first, count);
+      for (std::size_t lane = 0; lane < count; ++lane)
+        read(lanes_, lane, facets_[static_cast<std::size_t>(made_[first + lane])]);
     }
   }
 }
@@ -197,7 +195,9 @@ void InnerPolytope<Real>::measure_fan(const Vector& apex) {
       for (std::size_t lane = 0; lane <= kCount; ++lane)
         corner[lane] = &point(rim_[lane < rim_count_ ? lane : 0].from).s;
       measure_fan_of_facets(size_, corner, apex, lanes_);
-      return read_lanes(0, rim_count_);
+      for (std::size_t lane = 0; lane < rim_count_; ++lane)
+        read(lanes_, lane, facets_[static_cast<std::size_t>(made_[lane])]);
+      return;
     }
   }
   measure_made();
@@ -227,11 +227,6 @@ std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int3
   return index;
 }
 
-template <class Real>
-bool InnerPolytope<Real>::sees(std::int32_t i, const Vector& x) const {
-  return high(above(facet(i), x)) > noise_;
-}
-
 // The rim of the facets that x sees, in order, by walking around them; and these facets. Of F facets the
 // whole surface has 3 F/2 edges.
 template <class Real>
@@ -257,7 +252,7 @@ void InnerPolytope<Real>::find_rim(std::int32_t first, const Vector& x) {
     const DepthFacet<Real>& here = facet(facet_at(edge));
     const std::int32_t back = here.beyond[corner_at(edge)], beyond = facet_at(back);
     if (mark[beyond] == search) continue;
-    if (!sees(beyond, x)) {
+    if (!(high(above(facet(beyond), x)) > noise_)) {
       *rim++ = {here.corner[corner_at(edge)], here.corner[kNext[corner_at(edge)]], back};
       continue;
     }
@@ -271,18 +266,12 @@ void InnerPolytope<Real>::find_rim(std::int32_t first, const Vector& x) {
 }
 
 template <class Real>
-bool InnerPolytope<Real>::is_loop() const {
-  if (rim_count_ < 3) return false;
-  for (std::size_t i = 0; i < rim_count_; ++i) {
-    if (rim_[i].to != rim_[i + 1 < rim_count_ ? i + 1 : 0].from) return false;
-  }
-  return true;
-}
-
-template <class Real>
 RAYGAUGE_FUSED bool InnerPolytope<Real>::look(std::int32_t facet, const DepthPoint<Real>& point) {
   find_rim(facet, point.s);
-  return is_loop();
+  bool is_loop = rim_count_ >= 3;
+  for (std::size_t i = 0; i < rim_count_ && is_loop; ++i)
+    is_loop = rim_[i].to == rim_[i + 1 < rim_count_ ? i + 1 : 0].from;
+  return is_loop;
 }
 
 // The places of the facets that are seen are taken first.

@@ -117,11 +117,7 @@ class InnerPolytope {
   std::int32_t room_for_facet();
   void measure_made();
   void measure_fan(const Vector& apex);
-  void read_lanes(std::size_t first, std::size_t count);
-  void measure(DepthFacet<Real>& facet) const;
   void find_rim(std::int32_t facet, const Vector& x);
-  bool is_loop() const;
-  bool sees(std::int32_t facet, const Vector& x) const;
 
   std::vector<DepthPoint<Real>> points_;
   std::vector<DepthFacet<Real>> facets_;
