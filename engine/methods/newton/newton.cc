@@ -66,12 +66,39 @@ bool is_smooth(const ConvexSet& S) { return S.structure() == SupportStructure::s
 }  // namespace
 
 template <class Real>
+bool ResidualBall<Real>::choose(const ConvexSet& Q, Real rounding) {
+  const int n = Q.dimension();
+  center_.reserve(static_cast<std::size_t>(n));
+  shift_ = 0;
+  std::fill_n(center_.data(), n, 0.0);
+  radius_ = Q.inner_radius_unchecked(center_.data());
+  if (radius_ > 0) return true;
+  if constexpr (std::is_same_v<Real, double>) return false;
+  Q.center_unchecked(center_.data());
+  radius_ = Q.inner_radius_unchecked(center_.data());
+  if (!(radius_ > 0)) return false;
+  shift_ = kRoundoff<Real>;  // never zero, even if A is known exactly: a ball elsewhere covers nothing else
+  enlarge_shift(rounding);
+  return true;
+}
+
+template <class Real>
+void ResidualBall<Real>::enlarge_shift(Real rounding) {
+  shift_ = std::max(shift_, kShift * rounding / radius_);
+}
+
+template <class Real>
+Real ResidualBall<Real>::shifted(Real value, const Real* u, int n) const {
+  return shift_ > 0 ? value - shift_ * dot(u, center_.data(), n) : value;
+}
+
+template <class Real>
 bool Newton<Real>::begin(const Problem& problem) {
   const ConvexSet& A = problem.A;
   const ConvexSet& Q = problem.Q;
   n_ = A.dimension();
   const auto size = static_cast<std::size_t>(n_);
-  for (auto* buffer : {&center_, &ball_center_, &normal_, &contact_, &point_}) buffer->reserve(size);
+  for (auto* buffer : {&center_, &normal_, &contact_, &point_}) buffer->reserve(size);
   for (auto* buffer : {&linear_, &target_, &residual_vector_, &descent_, &points_[0].u, &points_[1].u}) {
     buffer->reserve(size);
   }
@@ -93,7 +120,7 @@ bool Newton<Real>::begin(const Problem& problem) {
   if (!std::is_same_v<Real, double> && !is_smooth(A) && !is_smooth(Q)) return false;
   const Kernels& kernels = kernels_for(problem.options.instruction_set);
   if (!oracle_A_.bind(A, 1.0, kernels, problem.pairs) || !oracle_Q_.bind(Q, -1.0, kernels)) return false;
-  if (!choose_ball(Q)) return false;
+  if (!ball_.choose(Q, coordinate_rounding(0))) return false;
   now_ = &points_[0];
   next_ = &points_[1];
   A.center_unchecked(center_.data());
@@ -119,34 +146,20 @@ void Newton<Real>::choose_start(const ConvexSet& Q) {
   for (int k = 0; k < n_; ++k) u[k] = -u[k];
 }
 
-// The ball of Q that pays for residuals.
+// That of a combination, in length.
 template <class Real>
-bool Newton<Real>::choose_ball(const ConvexSet& Q) {
-  shift_ = 0;
-  std::fill_n(ball_center_.data(), n_, 0.0);
-  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
-  if (inner_radius_ > 0) return true;
-  if constexpr (std::is_same_v<Real, double>) return false;
-  Q.center_unchecked(ball_center_.data());
-  inner_radius_ = Q.inner_radius_unchecked(ball_center_.data());
-  if (!(inner_radius_ > 0)) return false;
-  shift_ = kRoundoff<Real>;  // never zero, even if A is known exactly: a ball elsewhere pays for nothing else
-  enlarge_shift(0);
-  return true;
+Real Newton<Real>::coordinate_rounding(Real ratio) const {
+  return std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error());
 }
 
-// δ: what pays for the rounding errors at that ratio, and little more.
+// Of the phase.
 template <class Real>
-void Newton<Real>::enlarge_shift(Real ratio) {
-  const Real rounding = std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error());
-  shift_ = std::max(shift_, kShift * rounding / inner_radius_);
-}
-
-// The support function of A - δc.
-template <class Real>
-Real Newton<Real>::shifted_support(const Point& point) const {
-  const Real value = point.A.support.value;
-  return shift_ > 0 ? value - shift_ * dot(point.u.data(), ball_center_.data(), n_) : value;
+Real Newton<Real>::ratio_of(const Point& point) const {
+  const Real* u = point.u.data();
+  const Real h_A = point.A.support.value, h_Q = point.Q.support.value;
+  if (!growing_) return -ball_.shifted(h_A, u, n_) / h_Q;
+  const Real along = -dot(u, center_.data(), n_);
+  return along / (h_A + along + h_Q);
 }
 
 template <class Real>
@@ -160,8 +173,8 @@ bool Newton<Real>::evaluate(Point& point) {
   }
   point.A.warm = point.Q.warm = false;
   ++evaluations_;
-  point.ratio = growing_ ? growth_ratio(point) : -shifted_support(point) / point.Q.support.value;
-  if (shift_ > 0) enlarge_shift(point.ratio);
+  point.ratio = ratio_of(point);
+  if (ball_.shift() > 0) ball_.enlarge_shift(coordinate_rounding(point.ratio));
   bound_by_ratio(point);
   return true;
 }
@@ -175,13 +188,6 @@ void Newton<Real>::bound_by_ratio(const Point& point) {
     normal_[static_cast<std::size_t>(k)] = static_cast<double>(point.u[static_cast<std::size_t>(k)] * length);
 }
 
-// The ratio of the growth distance (8).
-template <class Real>
-Real Newton<Real>::growth_ratio(const Point& point) const {
-  const Real along = -dot(point.u.data(), center_.data(), n_);
-  return along / (point.A.support.value + along + point.Q.support.value);
-}
-
 template <class Real>
 void Newton<Real>::contact_combination(WeightedPoints& combination) const {
   for (int i = 0; i < combination_.count(); ++i)
@@ -191,9 +197,9 @@ void Newton<Real>::contact_combination(WeightedPoints& combination) const {
 template <class Real>
 typename QuadraticProgram<Real>::Objective Newton<Real>::objective() {
   const Real ratio = now_->ratio;
-  if (!growing_ && !(shift_ > 0)) return {1, ratio, nullptr, graded_};
-  const double* along = growing_ ? center_.data() : ball_center_.data();
-  const Real factor = growing_ ? 1 - ratio : -shift_;
+  if (!growing_ && !(ball_.shift() > 0)) return {1, ratio, nullptr, graded_};
+  const double* along = growing_ ? center_.data() : ball_.center();
+  const Real factor = growing_ ? 1 - ratio : -ball_.shift();
   for (int k = 0; k < n_; ++k) linear_[static_cast<std::size_t>(k)] = factor * along[k];
   return {growing_ ? ratio : Real{1}, ratio, linear_.data(), graded_ && !growing_};
 }
@@ -271,12 +277,12 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
   set_growing(false);
   if (!evaluate(*now_)) return DistanceStatus::precision_limit;
   set_growing(!(now_->ratio > 0));
-  if (growing_) now_->ratio = growth_ratio(*now_);
+  if (growing_) now_->ratio = ratio_of(*now_);
   Progress<Real> progress;
   for (;;) {
     if (bounds_.lower() > goal_.threshold) return DistanceStatus::optimal;
     if (unconditional_ && !growing_) {
-      pair_.move_contact_along_faces(now_->u.data(), now_->ratio, shift_, ball_center_.data(), now_->A,
+      pair_.move_contact_along_faces(now_->u.data(), now_->ratio, ball_.shift(), ball_.center(), now_->A,
                                      now_->Q);
     }
     if (!affords(stopwatch, kStepOperations<Real> * cube(n_))) return kNoTime<Real>;
@@ -296,7 +302,7 @@ DistanceStatus Newton<Real>::iterate(const Stopwatch& stopwatch) {
     }
     if (growing_ && now_->A.support.above() < 0) {
       set_growing(false);
-      now_->ratio = -shifted_support(*now_) / now_->Q.support.value;
+      now_->ratio = ratio_of(*now_);
     }
   }
 }

@@ -10,6 +10,30 @@
 
 namespace raygauge {
 
+/// The ball of Q, about c and of radius R, that covers residuals. In quadruple precision c need not be the
+/// origin, for targets moved by -δc.
+template <class Real>
+class ResidualBall {
+ public:
+  /// `rounding`: that of a point of A. False where Q knows of no such ball.
+  bool choose(const ConvexSet& Q, Real rounding);
+
+  /// δ: what covers the rounding errors of a combination, and little more.
+  void enlarge_shift(Real rounding);
+
+  double radius() const noexcept { return radius_; }
+  Real shift() const noexcept { return shift_; }  ///< δ; 0 where c is the origin
+  const double* center() const noexcept { return center_.data(); }
+
+  /// The support function of A - δc at u, from that of A.
+  Real shifted(Real value, const Real* u, int n) const;
+
+ private:
+  double radius_ = 0;
+  Real shift_ = 0;
+  AlignedBuffer<double> center_;
+};
+
 /// The method `newton`: sequential quadratic programming on the dual
 ///
 ///     d_Q(A) = max_u -h_A(u) / h_Q(-u),
@@ -51,11 +75,8 @@ class Newton : public Method {
 
   bool begin(const Problem& problem);
   void choose_start(const ConvexSet& Q);
-  bool choose_ball(const ConvexSet& Q);
-  void enlarge_shift(Real ratio);
-  Real shifted_support(const Point& point) const;
-  Real growth_ratio(const Point& point) const;
-  Real projected_ratio(const Real* x, const Real* y) const;
+  Real coordinate_rounding(Real ratio) const;
+  Real ratio_of(const Point& point) const;
   bool evaluate(Point& point);
   void bound_by_ratio(const Point& point);
   void bound_by_weights();
@@ -86,8 +107,7 @@ class Newton : public Method {
   int facets_tried_ = 0;
   bool keeps_combination_ = false;
   WeightedPoints combination_;
-  double inner_radius_ = 0;  // R
-  Real shift_ = 0;           // δ
+  ResidualBall<Real> ball_;
   Bounds bounds_;
   double estimate_ = 0;    // the ratio that the lower one is, rounded down
   Real residual_ = 0;      // |r|, r = Σ α s - δc - ρ Σ β s at now_
@@ -95,7 +115,7 @@ class Newton : public Method {
   bool unconditional_ = false;
   bool graded_ = false;    // BasicSupportPieces::graded
   PowerSteps<Real> pair_;  // where unconditional_
-  AlignedBuffer<double> center_, ball_center_, normal_, contact_, point_;
+  AlignedBuffer<double> center_, normal_, contact_, point_;
   AlignedBuffer<Real> linear_, target_, residual_vector_, descent_;
 };
 

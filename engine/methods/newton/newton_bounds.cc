@@ -26,43 +26,43 @@ Real combine(const PieceList<Real>& list, Real* point) {
   return size;
 }
 
+// The multiple of y nearest to x - δc: ρ itself is the less certain the smaller h_Q(-u) is.
+template <class Real>
+Real projected_ratio(const Real* x, const Real* y, const ResidualBall<Real>& ball, int n) {
+  Real product = 0;
+  for (int k = 0; k < n; ++k) product += (x[k] - ball.shift() * ball.center()[k]) * y[k];
+  return product / dot(y, y, n);
+}
+
 double up(double x) { return x; }
 double up(Quad x) { return rounded_up(x); }
 
 }  // namespace
 
-// The multiple of y nearest to x - δc: ρ itself is the less certain the smaller h_Q(-u) is.
-template <class Real>
-Real Newton<Real>::projected_ratio(const Real* x, const Real* y) const {
-  Real product = 0;
-  for (int k = 0; k < n_; ++k) product += (x[k] - shift_ * ball_center_[static_cast<std::size_t>(k)]) * y[k];
-  return product / dot(y, y, n_);
-}
-
 // The combinations x of A and y of Q with the weights of the step leave r = x - δc - ρy, if ρ >= 0:
 // x = ρy + r costs no more than ρ + gauge_Q(r), x = ρy + δ(c + r/δ) no more than ρ + δ.
 template <class Real>
 void Newton<Real>::bound_by_weights() {
+  const Real shift = ball_.shift();
   Real* x = target_.data();
   Real* y = linear_.data();
   const Real size_A = combine(now_->A, x);
   const Real size_Q = combine(now_->Q, y);
-  const Real ratio = shift_ > 0 ? projected_ratio(x, y) : now_->ratio;
+  const Real ratio = shift > 0 ? projected_ratio(x, y, ball_, n_) : now_->ratio;
   if (!(ratio >= 0)) return;
   Real size = size_A + ratio * size_Q;
   for (int k = 0; k < n_; ++k) {
-    const Real shift_k = shift_ * ball_center_[static_cast<std::size_t>(k)];
+    const Real shift_k = shift * ball_.center()[k];
     residual_vector_[static_cast<std::size_t>(k)] = x[k] - ratio * y[k] - shift_k;
     size += elementary::fabs(shift_k);
   }
   residual_ = length(residual_vector_.data(), n_);
-  const Real rounding =
-      std::sqrt(n_) * (oracle_A_.coordinate_error() + ratio * oracle_Q_.coordinate_error()) +
-      (n_ + now_->A.active_count + now_->Q.active_count + 8) * 2 * kRoundoff<Real> * size;
-  const Real cost = (residual_ + rounding) / inner_radius_;
+  const Real rounding = coordinate_rounding(ratio) +
+                        (n_ + now_->A.active_count + now_->Q.active_count + 8) * 2 * kRoundoff<Real> * size;
+  const Real cost = (residual_ + rounding) / ball_.radius();
   const Real upwards = 1 + (n_ + 16) * 2 * kRoundoff<Real>;
-  if (shift_ > 0 && cost * upwards > shift_) return;
-  if (!bounds_.reduce_upper(up((ratio + (shift_ > 0 ? shift_ : cost)) * upwards))) return;
+  if (shift > 0 && cost * upwards > shift) return;
+  if (!bounds_.reduce_upper(up((ratio + (shift > 0 ? shift : cost)) * upwards))) return;
   for (int k = 0; k < n_; ++k) contact_[static_cast<std::size_t>(k)] = static_cast<double>(x[k]);
   if (!keeps_combination_) return;
   combination_.clear(n_);
