@@ -101,7 +101,9 @@ class PairSolver {
   };
 
   std::size_t memory_index(PartNumbers parts) const;
-  std::size_t pairs() const noexcept { return placed_.a().body().parts.size() * placed_.b().body().parts.size(); }
+  std::size_t pairs() const noexcept {
+    return placed_.a().body().parts.size() * placed_.b().body().parts.size();
+  }
   void take_order(PairMemory& memory);
   double plane_bound_of(const PairMemory& memory, const PartCandidate& candidate, double& rate);
   const PairAnswer& conclude(double beyond, double beyond_rate);
