@@ -30,7 +30,7 @@ Frustum::Frustum(const std::string& set, const ConstVectorRef& base, double base
   const double inner_radius = Frustum::do_inner_radius(center.data());
   const int n = dimension();
   SpatialShape shape;
-  if (n != 3 || !place(shape, center, n)) return;
+  if (n < 2 || n > 3 || !place(shape, center, n)) return;
   shape.kind = SpatialShape::Kind::frustum;
   shape.axis.column[0] = spatial(axis_->direction(), n);
   shape.base = spatial(base_, n);
