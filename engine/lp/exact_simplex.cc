@@ -186,6 +186,7 @@ ExactSimplex::Candidate ExactSimplex::price() {
   return best;
 }
 
+// Dantzig: the most negative reduced cost.
 void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best) {
   aim(from_Q, direction_);
   // No term is above 2 in magnitude: n products and sums lose less than this.
@@ -198,15 +199,11 @@ void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best)
     const double* p = coordinates(*points.set, index);
     if (direction_.rough(p) > rough_error) continue;
     const double reduced_cost = direction_.precise(p);
-    if (reduced_cost <= error) consider(from_Q ? id_of_Q(index) : id_of_A(index), reduced_cost, error, best);
+    if (!(reduced_cost <= error) || (best.id >= 0 && reduced_cost >= best.reduced_cost)) continue;
+    const std::int64_t id = from_Q ? id_of_Q(index) : id_of_A(index);
+    if (reduced_cost >= -error && exact_reduced_cost_sign(id) >= 0) continue;
+    best = {id, reduced_cost};
   }
-}
-
-// Dantzig: the most negative reduced cost.
-void ExactSimplex::consider(std::int64_t id, double reduced_cost, double error, Candidate& best) {
-  if (best.id >= 0 && reduced_cost >= best.reduced_cost) return;
-  if (reduced_cost >= -error && exact_reduced_cost_sign(id) >= 0) return;
-  best = {id, reduced_cost};
 }
 
 int ExactSimplex::exact_reduced_cost_sign(std::int64_t id) {

@@ -73,7 +73,6 @@ class ExactSimplex {
   void aim(bool from_Q, Direction& direction) const;
   Candidate price();
   void price_set(const Points& points, bool from_Q, Candidate& best);
-  void consider(std::int64_t id, double reduced_cost, double error, Candidate& best);
   int exact_reduced_cost_sign(std::int64_t id);
   void form_column(std::int64_t id);
   void enter(int row, std::int64_t id);

@@ -83,10 +83,9 @@ void look_for_entering(const Kernels& kernels, const ColumnPool& pool, const dou
 void FirstBasis::begin(int n, const Kernels& kernels) {
   n_ = n;
   kernels_ = &kernels;
-  column_.reserve(static_cast<std::size_t>(padded_rows(n + 1)));
-  guess_.reserve(static_cast<std::size_t>(n));
-  white_.reserve(static_cast<std::size_t>(n));
-  single_.reserve(static_cast<std::size_t>(n));
+  const auto size = static_cast<std::size_t>(padded_rows(n + 1));
+  for (AlignedBuffer<double>* vector : {&column_, &guess_, &white_}) vector->reserve(size);
+  single_.reserve(size);
 }
 
 // max sign · guess · p over the points, and the best of them: a start needs no more than single precision.

@@ -25,8 +25,8 @@ struct FirstGuess {
     const double* F;        ///< n x n, column-major
     const double* inverse;  ///< F⁻¹
   };
-  const double* normal;
-  double error;
+  const double* normal = nullptr;
+  double error = 0;
   const Frame* frame = nullptr;
   const AxisPoints* axes = nullptr;
 };

@@ -45,7 +45,7 @@ bool is_separated(Basis& basis) {
 
 // Now and then in a long solve: whether the objective still falls.
 struct Progress {
-  std::int64_t pivots;
+  std::int64_t pivots = 0;
   double least = kInfinity;
   int idle_looks = 0;
 
@@ -70,9 +70,7 @@ void PrimalSimplex::begin(int n, double gap_tolerance, std::int64_t max_pivots, 
   n_ = n;
   kernels_ = &kernels;
   stage_ = Stage::optimise;
-  raises_ = 0;
-  separations_ = 0;
-  repairs_ = 0;
+  raises_ = separations_ = repairs_ = 0;
   refactorisations_ = 0;
   impatient_ = impatient;
   max_pivots_ = max_pivots > 0 ? max_pivots : default_pivot_limit(n);

@@ -100,7 +100,7 @@ class PrimalSimplex {
   const double* normal() const noexcept { return basis_.view().y; }  ///< u, n doubles
   /// Points of A with u·a above A price out, and points of Q with -u·q above Q.
   struct Thresholds {
-    double A, Q;
+    double A = 0, Q = 0;
   };
   Thresholds thresholds() const noexcept;
   double objective() const noexcept { return basis_.view().objective; }
