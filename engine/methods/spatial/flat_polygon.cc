@@ -78,17 +78,22 @@ void FlatPolygon::make_hull(double noise) {
 void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset, std::int32_t number) {
   const double size = std::sqrt(x * x + y * y);
   if (!(size > 0) || corners_.empty()) return;
-  const auto height = [&](const FlatPoint& p) { return (x * (p.y - a.y) - y * (p.x - a.x)) / size + offset; };
-  other_.clear();
+  const auto area = [&](const FlatPoint& p) { return x * (p.y - a.y) - y * (p.x - a.x); };
+  const auto height = [&](const FlatPoint& p) { return area(p) / size + offset; };
+  const auto is_kept = [&](const FlatPoint& p) { return area(p) >= 0 || height(p) >= 0; };  // offset >= 0
   const std::size_t count = corners_.size();
+  if (std::all_of(corners_.begin(), corners_.end(), is_kept)) return;
+  other_.clear();
+  bool is_next_kept = is_kept(corners_[0]);
   for (std::size_t i = 0; i < count; ++i) {
     const FlatPoint &p = corners_[i], &next = corners_[(i + 1) % count];
-    const double at = height(p), then = height(next);
-    if (at >= 0) other_.push_back(p);
+    const bool is_here_kept = is_next_kept;
+    is_next_kept = is_kept(next);
+    if (is_here_kept) other_.push_back(p);
     const bool has_edge = count > 2 || (count == 2 && i == 0);
-    if (!has_edge || (at >= 0) == (then >= 0)) continue;
-    const double share = at / (at - then);
-    const std::int32_t made = -2 - 2 * number - (at >= 0 ? 1 : 0);
+    if (!has_edge || is_here_kept == is_next_kept) continue;
+    const double at = height(p), share = at / (at - height(next));
+    const std::int32_t made = -2 - 2 * number - (is_here_kept ? 1 : 0);
     other_.push_back({p.x + (next.x - p.x) * share, p.y + (next.y - p.y) * share, made});
   }
   std::swap(corners_, other_);
