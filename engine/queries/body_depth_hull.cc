@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/bodies/nearness.h"
 #include "engine/methods/spatial/nearest_of_segments.h"
 #include "engine/queries/body_depth.h"
 #include "engine/sets/direction_table.h"
@@ -132,9 +133,9 @@ void BodyDepth::add_near_facets(const Known& known, double relative, double angl
                                 std::vector<Vector3>& normals) const {
   constexpr double kRounding = 1 + 1e-9;
   const double most = known.upper() + relative * (known.upper() + ball_upper_.rounded());
-  const double cosine = std::cos(angle);
+  const Nearness near(angle);
   known.for_near(most * kRounding, [&](const Vector3& n) {
-    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    const auto is_near = [&](const Vector3& other) { return near(other, n); };
     if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
   });
 }
@@ -147,10 +148,10 @@ void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vecto
   const double most = plane_.room + relative * (plane_.room + ball_upper_.rounded());
   if (plane_.second > most * kRounding) return;
   const InHull in = in_hull();
-  const double cosine = std::cos(angle);
+  const Nearness near(angle);
   const auto add = [&](const Vector3& plane) {
     const Vector3 n = in.is_second ? -(pair_.frame().R * plane) : plane;
-    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    const auto is_near = [&](const Vector3& other) { return near(other, n); };
     if (!is_near(normal_) && std::none_of(normals.begin(), normals.end(), is_near)) normals.push_back(n);
   };
   if (dot(in.own_half, in.own_half) > 0)

@@ -189,7 +189,8 @@ RAYGAUGE_VECTORS [[gnu::noinline]] const ObjectDistance& answer_by(Ladder& ladde
   const bool valued = is_valued(round, effects);
   const double value = 0.5 * (round.lower + round.upper);
   if (valued && has_effect(effects, ObjectEffects::pose_gradient) &&
-      !RoundPair::has_one_way<kFormula>(value, one, two) && !is_differentiable(value, A1, A2))
+      !RoundPair::has_one_way<kFormula>(value, one, two, numbers_of(A1.pose), numbers_of(A2.pose)) &&
+      (kFormula == Formula::segments || !is_differentiable(value, A1, A2)))
     return distance_by_search(ladder, A1, A2, metric, effects, warm);
   ObjectDistance& result = ladder.answer();
   put_answer(round, A1, A2, effects, result);

@@ -358,10 +358,9 @@ const DistanceResult& Ladder::growth(Ask& ask) {
   answer<Question::growth>(ask);
   if (ask.pose_gradient != nullptr) {
     const SpatialPair* pair = known_pair(ask);
-    const bool by_bodies = pair != nullptr && ask.is_known;
-    pose_gradients_.begin(ask.first, ask.second, pair, options_.instruction_set);
-    pose_gradients_.of_growth(answer_.distance, ask.about_origin,
-                              by_bodies ? &bodies_.combination() : nullptr, *ask.pose_gradient);
+    const SpatialCombination* end = pair != nullptr && ask.is_known ? &bodies_.combination() : nullptr;
+    pose_gradients_.begin(ask.first, ask.second, pair, end, options_.instruction_set);
+    pose_gradients_.of_growth(answer_.distance, ask.about_origin, *ask.pose_gradient);
   }
   return answer_.distance;
 }

@@ -206,7 +206,9 @@ void Ladder::find_pose_gradient(const Ask& ask) {
   PoseGradient& gradient = answer_.pose_gradient;
   const SpatialPair* pair = known_pair(ask);
   const bool by_ball = pair != nullptr || radius_of_ball(*ask.metric) > 0;
-  pose_gradients_.begin(ask.first, ask.second, pair, options_.instruction_set);
+  const SpatialCombination* end =
+      pair != nullptr && answer_.depth.evaluations == 0 ? &bodies_.combination() : nullptr;
+  pose_gradients_.begin(ask.first, ask.second, pair, end, options_.instruction_set);
   const bool by_half_space = pair == nullptr && (as_half_space(ask.first.set) != nullptr ||
                                                  as_half_space(ask.second.set) != nullptr);
   if (by_ball && answer_.depth.evaluations > 0 && !by_half_space)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/numerics/fused.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/sets/half_space.h"
 
@@ -19,7 +20,12 @@ constexpr double kBeside = 1e-5;  // of the size: contacts of curved bodies are 
 
 Vector3 vector_of(const Vector& v) { return spatial(v, static_cast<int>(v.size())); }
 
-Twist negative(const Twist& twist) { return {-twist.linear, -twist.angular}; }
+// Mostly it is of length 1 already.
+Vector3 unit(const Vector3& v) {
+  constexpr double kUnitSquare = 0x1p-50;
+  const double square = dot(v, v);
+  return std::fabs(square - 1) <= kUnitSquare ? v : v * (1 / std::sqrt(square));
+}
 
 Vector3 origin_of(const Posed& body) {
   const Pose* pose = body.pose;
@@ -46,68 +52,93 @@ double PoseGradient::along(const Twist& twist_1, const Twist& twist_2) const noe
   return greatest;
 }
 
-void PoseGradients::begin(const Posed& A1, const Posed& A2, const SpatialPair* pair, InstructionSet isa) {
-  posed_[0] = &A1;
-  posed_[1] = &A2;
-  pair_ = pair;
-  isa_ = isa;
-  factor_ = 1;
-  other_normals_.clear();
-  for (int i = 0; i < 2; ++i) origin_[i] = origin_of(*posed_[i]);
-}
-
 bool PoseGradients::bind() {
   if (pair_ == nullptr) return faces_.bind(*posed_[0], *posed_[1], isa_);
   if (pair_ != faces_.pair()) faces_.bind(*pair_);
   return true;
 }
 
-// Whether one point of a body is the highest along any direction.
-bool PoseGradients::is_rounded() const {
-  return pair_ != nullptr && (is_smooth(pair_->shape(0)) || is_smooth(pair_->shape(1)));
+// Whether body i has one point only across n, outward of the first body, in whose frame it is.
+bool PoseGradients::is_tower(int i, const Vector3& n, double tilt) const {
+  const Vector3 v = i == 0 ? n : pair_->frame().R.transposed_times(-n);
+  return raygauge::has_one_top(pair_->shape(i), v, tilt, isa_);
 }
 
-// Of a body that has one point only across n, outward of the first body, in whose frame it is: its number.
-int PoseGradients::top_of(const Vector3& n) const {
-  const Vector3 v[2] = {n, pair_->frame().R.transposed_times(-n)};
+// The number of a body with one point only, one without edges first: -1: there is none.
+int PoseGradients::top_of(const Vector3& n, double tilt) const {
   for (int i = 0; i < 2; ++i)
-    if (towers(pair_->shape(i), v[i], kTilt)) return i;
-  for (int i = 0; i < 2; ++i)
-    if (raygauge::has_one_top(pair_->shape(i), v[i], kTilt, isa_)) return i;
-  return -1;
+    if (is_smooth(pair_->shape(i))) return i;
+  Vector3 end[2];
+  if (count_highest(pair_->shape(0), n, tilt, end) == 1) return 0;
+  if (count_highest(pair_->shape(1), pair_->frame().R.transposed_times(-n), tilt, end) == 1) return 1;
+  return is_tower(0, n, tilt) ? 0 : is_tower(1, n, tilt) ? 1 : -1;
 }
 
-// Whether a body has one point only in contact: then there is one pair of points.
-bool PoseGradients::has_one_top(const Vector3& normal) const {
-  if (pair_ == nullptr) return false;
-  const Vector3 n = pair_->frame().to_body(&normal.x);
-  return top_of(n) >= 0;
+// Which body it takes less time to look at: kinds begin with the simple ones, and one that a distance ends
+// with a vertex of has most likely nothing else there.
+bool PoseGradients::is_second_simpler() const {
+  const SpatialShape &one = pair_->shape(0), &two = pair_->shape(1);
+  if (one.kind != two.kind || end_ == nullptr) return one.kind > two.kind;
+  bool has_vertex[2] = {true, true};
+  for (int i = 1; i < end_->count; ++i) {
+    has_vertex[0] &= end_->point[i].index_1 == end_->point[0].index_1;
+    has_vertex[1] &= end_->point[i].index_2 == end_->point[0].index_2;
+  }
+  return has_vertex[1] && !has_vertex[0];
+}
+
+// Of bodies with edges: whether one has one point only in contact, or both have an edge, and these cross:
+// then there is one pair of points.
+RAYGAUGE_VECTORS bool PoseGradients::has_one_contact(const Vector3& normal) const {
+  const SpatialShape &one = pair_->shape(0), &two = pair_->shape(1);
+  const Vector3 n = pair_->frame().to_body(&normal.x), m = pair_->frame().R.transposed_times(-n);
+  const bool turned = is_second_simpler();
+  Vector3 simple[2], other[2];
+  const int of_simple = count_highest(turned ? two : one, turned ? m : n, kTilt, simple);
+  if (of_simple == 1) return true;
+  const int of_other = count_highest(turned ? one : two, turned ? n : m, kTilt, other);
+  if (of_other == 1) return true;
+  if (of_simple == 2 && of_other == 2) {
+    const auto &first = turned ? other : simple, &second = turned ? simple : other;
+    const Vector3 end[2] = {pair_->frame().from_second(second[0]), pair_->frame().from_second(second[1])};
+    if (are_crossing(n, first, end, kParallel)) return true;
+  }
+  return is_tower(0, n, kTilt) || is_tower(1, n, kTilt);
 }
 
 // Of polytopes, whose facet the portal is then a part of: whether the ray is well within it.
-bool PoseGradients::leads_through(const SpatialCombination* portal) const {
+bool PoseGradients::leads_through_portal() const {
   constexpr double kWithin = 1e-5;  // of the sum of the weights
-  if (portal == nullptr || portal->count != 3 || pair_->is_curved()) return false;
+  if (end_ == nullptr || end_->count != 3 || pair_->is_curved()) return false;
   const Vector3 p = pair_->between_centers();
   Vector3 corner[3];
-  for (int i = 0; i < 3; ++i) corner[i] = portal->point[i].a1 - portal->point[i].a2 + p;
+  for (int i = 0; i < 3; ++i) corner[i] = end_->point[i].a1 - end_->point[i].a2 + p;
   const double weight[3] = {dot(cross(corner[1], corner[2]), p), dot(cross(corner[2], corner[0]), p),
                             dot(cross(corner[0], corner[1]), p)};
   const double sum = weight[0] + weight[1] + weight[2];
   return weight[0] > kWithin * sum && weight[1] > kWithin * sum && weight[2] > kWithin * sum && sum > 0;
 }
 
+// By how much the normal of a growth distance may be turned: of balls with the radius r, a gap g turns it by
+// up to √(2 g/r).
+double PoseGradients::tilt_of(const DistanceResult& growth) const {
+  constexpr double kMost = 1e-2;
+  const double radius = pair_ != nullptr ? pair_->radius() : 0.0;
+  if (!(radius > 0)) return kTilt;
+  const double gap = (growth.upper - growth.lower) / growth.upper * pair_->size();
+  return std::clamp(2 * std::sqrt(2 * gap / radius), kTilt, kMost);
+}
+
 // The one point that both bodies, scaled about their centres, have in common across `normal`, where that
 // needs no faces: one body has one point there, and the normal is unique, as a surface is round or the ray
 // leads through a facet of the difference.
-bool PoseGradients::find_single_contact(const Vector3& normal, double sigma, const SpatialCombination* portal,
-                                        Vector3& x) const {
+bool PoseGradients::find_single_contact(const Vector3& normal, double sigma, double tilt, Vector3& x) const {
   if (pair_ == nullptr || pair_->dimension() != 3) return false;
   const SpatialShape &one = pair_->shape(0), &two = pair_->shape(1);
   const bool round = one.radius > 0 || two.radius > 0 || is_smooth(one) || is_smooth(two);
-  if (!round && !leads_through(portal)) return false;
+  if (!round && !leads_through_portal()) return false;
   const Vector3 n = pair_->frame().to_body(&normal.x);
-  const int i = top_of(n);
+  const int i = top_of(n, tilt);
   if (i < 0) return false;
   const SpatialShape& shape = pair_->shape(i);
   const Vector3 v = i == 0 ? n : pair_->frame().R.transposed_times(-n);
@@ -138,10 +169,18 @@ void PoseGradients::add_lowest(const Vector3& by_translation, PoseGradient& grad
   if (!lowest_.empty()) gradient.kind = GradientKind::one_sided;
 }
 
+inline void PoseGradients::put(const Vector3& by_translation, const Vector3& x1, const Vector3& x2,
+                               Twist& body_1, Twist& body_2) const {
+  const Vector3& n = by_translation;
+  body_1 = {n * factor_, cross(x1 - origin_of(*posed_[0]) * factor_, n)};
+  body_2 = {-n, -cross(x2 - origin_of(*posed_[1]), n)};
+}
+
 PoseGradient::Candidate PoseGradients::candidate(const Vector3& by_translation, const Vector3& x1,
                                                  const Vector3& x2) const {
-  const Vector3& n = by_translation;
-  return {{n * factor_, cross(x1 - origin_[0] * factor_, n)}, negative({n, cross(x2 - origin_[1], n)}), 0};
+  Candidate made;
+  put(by_translation, x1, x2, made.body_1, made.body_2);
+  return made;
 }
 
 // All pairs of points that are optimal for one normal: n of length 1, from A1 to A2.
@@ -155,7 +194,8 @@ void PoseGradients::add_candidates(const Vector3& by_translation, const Vector3&
   }
 }
 
-void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, PoseGradient& gradient) {
+RAYGAUGE_VECTORS void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball,
+                                                 PoseGradient& gradient) {
   gradient.kind = GradientKind::none;
   gradient.candidates.clear();
   const bool apart = answer.distance.lower > 0 && std::isfinite(answer.distance.upper);
@@ -166,16 +206,22 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
   const int n = posed_[0]->dimension();
   if ((!apart && !is_inside) || (n != 2 && n != 3) || point_1.size() != n || point_2.size() != n) return;
   const Vector3 by_translation = vector_of(normal);
-  const Candidate first = candidate(by_translation, vector_of(point_1), vector_of(point_2));
-  gradient.body_1 = first.body_1;
-  gradient.body_2 = first.body_2;
+  put(by_translation, vector_of(point_1), vector_of(point_2), gradient.body_1, gradient.body_2);
   gradient.kind = by_ball ? GradientKind::unique : GradientKind::undecided;
   if (by_ball && pair_ == nullptr && is_half_space(0) != is_half_space(1))
     return add_lowest(by_translation, gradient);
   if (by_ball && pair_ == nullptr && bind()) pair_ = faces_.pair();
-  if (!by_ball || (other_normals_.empty() && is_rounded())) return;
+  if (!by_ball) return;
+  const bool may_be_one = pair_ != nullptr && other_normals_.empty();
+  if (may_be_one && (is_smooth(pair_->shape(0)) || is_smooth(pair_->shape(1)))) return;
+  if (may_be_one && has_one_contact(-unit(by_translation))) return;
+  of_faces(answer, by_translation, gradient);
+}
+
+// By all that both bodies have in contact, along the normal and along those that are as near.
+void PoseGradients::of_faces(const ObjectDistance& answer, const Vector3& by_translation,
+                             PoseGradient& gradient) {
   const Vector3 way = by_translation * (-1 / length(by_translation));
-  if (other_normals_.empty() && has_one_top(way)) return;
   const bool bound = bind();
   if (bound && other_normals_.empty() && faces_.has_crossing_edges(way, kTilt * faces_.size(), kParallel))
     return;
@@ -198,11 +244,11 @@ void PoseGradients::of_distance(const ObjectDistance& answer, bool by_ball, Pose
 }
 
 // Both bodies, scaled, touch along n. True where one pair of points, or more, is known there.
-bool PoseGradients::find_contact(const Vector3& n) {
+bool PoseGradients::find_contact(const Vector3& n, double tilt) {
   constexpr double kFarBeside = 1e-2;
   const double size = faces_.size();
-  return faces_.find(n, kTilt * size, kBeside * size, kParallel) ||
-         faces_.find(n, kTilt * size, kFarBeside * size, kParallel);
+  return faces_.find(n, tilt * size, std::max(tilt, kBeside) * size, kParallel) ||
+         faces_.find(n, tilt * size, kFarBeside * size, kParallel);
 }
 
 // Of the last contact: whether no other plane separates the bodies there.
@@ -222,16 +268,16 @@ bool PoseGradients::has_one_normal() {
 
 // With u = -normal, h_B(u) = 1 and σ = max u·p/h_B(u), the common point moves with A1 by v1 and with A2 by
 // v2: dσ = u·(v2 - v1).
-void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin,
-                              const SpatialCombination* portal, PoseGradient& gradient) {
+void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin, PoseGradient& gradient) {
   gradient.kind = GradientKind::none;
   gradient.candidates.clear();
   if (!(answer.lower > 0) || !std::isfinite(answer.upper) || answer.normal.size() == 0) return;
   const double sigma = answer.distance;
   factor_ = about_origin ? sigma : 1.0;
   const Vector3 by_translation = vector_of(answer.normal), n = by_translation * (-1 / length(by_translation));
+  const double tilt = tilt_of(answer);
   Vector3 common;
-  if (!about_origin && find_single_contact(n, sigma, portal, common)) {
+  if (!about_origin && find_single_contact(n, sigma, tilt, common)) {
     const Candidate only = candidate(by_translation, common, common);
     gradient.body_1 = only.body_1;
     gradient.body_2 = only.body_2;
@@ -240,7 +286,7 @@ void PoseGradients::of_growth(const DistanceResult& answer, bool about_origin,
   }
   if (!bind()) return;
   faces_.scale(about_origin ? BodyScaling::about_origin : BodyScaling::about_centers, sigma);
-  if (!find_contact(n)) return;
+  if (!find_contact(n, tilt)) return;
   const bool is_smooth = has_one_normal();
   for (const FacePair& pair : faces_.face().pairs()) {
     const Vector3 x = (faces_.to_world(0, pair.point_1) + faces_.to_world(1, pair.point_2)) * 0.5;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/bodies/nearness.h"
 #include "engine/methods/spatial/triangle_normal.h"
 #include "engine/proof/bounds.h"
 
@@ -296,15 +297,16 @@ template <class Real>
 void DepthSearch<Real>::add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const {
   constexpr std::size_t kMost = 64;
   if (!solid_) return;
-  const double most = upper_ + relative * (upper_ + goal_.ball_upper), cosine = std::cos(angle);
+  const double most = upper_ + relative * (upper_ + goal_.ball_upper);
+  const Nearness near(angle);
   const std::size_t first = normals.size();
   const Vector3 own = rounded(normal_) * (1 / length_of(normal_));
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
+    if (!(value_[static_cast<std::size_t>(i)] <= most)) continue;
     const DepthFacet<Real>& facet = polytope_.facet(i);
-    if (facet.stamp == 0 || !(value_[static_cast<std::size_t>(i)] <= most) || normals.size() >= kMost)
-      continue;
+    if (facet.stamp == 0 || normals.size() >= kMost) continue;
     const Vector3 n = rounded(facet.n) * (1 / length_of(facet.n));
-    const auto is_near = [&](const Vector3& other) { return dot(other, n) > cosine; };
+    const auto is_near = [&](const Vector3& other) { return near(other, n); };
     if (is_near(own) ||
         std::any_of(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.end(), is_near))
       continue;

@@ -97,11 +97,16 @@ bool CommonFace::find(double noise, double beside, double crossing) {
 }
 
 bool CommonFace::are_crossing_segments(double crossing) const {
-  constexpr double kWithin = 1 - 1e-5;  // of half of each
   const std::vector<Vector3>&one = side_[0].points, &two = side_[1].points;
-  if (one.size() != 2 || two.size() != 2) return false;
+  return one.size() == 2 && two.size() == 2 &&
+         are_crossing(normal_, {one[0], one[1]}, {two[0], two[1]}, crossing);
+}
+
+bool are_crossing(const Vector3& n, const Vector3 (&one)[2], const Vector3 (&two)[2],
+                  double crossing) noexcept {
+  constexpr double kWithin = 1 - 1e-5;  // of half of each
   const Vector3 x = one[1] - one[0], y = two[1] - two[0], way = two[0] + two[1] - one[0] - one[1];
-  const Vector3 across_x = cross(normal_, x), across_y = cross(normal_, y);
+  const Vector3 across_x = cross(n, x), across_y = cross(n, y);
   const double area = dot(x, across_y), share_1 = dot(way, across_y), share_2 = dot(way, across_x);
   return area * area > crossing * crossing * dot(x, x) * dot(y, y) &&
          std::fabs(share_1) < kWithin * std::fabs(area) && std::fabs(share_2) < kWithin * std::fabs(area);

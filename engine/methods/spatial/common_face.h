@@ -16,6 +16,10 @@ struct FacePair {
   std::int32_t index = -1;  ///< see FlatPoint
 };
 
+/// Whether two segments, seen along n, cross well within, at an angle whose sine is above `crossing`.
+bool are_crossing(const Vector3& n, const Vector3 (&one)[2], const Vector3 (&two)[2],
+                  double crossing) noexcept;
+
 /// What the faces of two bodies have in common where they are seen along a normal n of length 1, which points
 /// from the first to the second. Each face is given by points whose hull it is; it may be a polygon, a
 /// segment or a point. Both are projected along n, cut with each other, and the corners of what is left are

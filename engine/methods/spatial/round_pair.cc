@@ -46,15 +46,12 @@ bool has_one_way_out(const EllipsoidCore& core, const Vector3& y, double /*longe
 // through the side of a core begins well beside its axis.
 bool RoundPair::is_differentiable(double value, const SpatialShape& first, const SpatialShape& second,
                                   const PoseNumbers& pose_1, const PoseNumbers& pose_2) noexcept {
-  constexpr double kParallel = 1e-6;
   const auto turn = [](const PoseNumbers& pose, const Vector3& x) {
     return Place{pose.R != nullptr ? pose.R : kIdentity, {}}.turn(x);
   };
   if (is_between_ends(first) && is_between_ends(second)) {
     if (is_point(first) || is_point(second)) return true;
-    const Vector3 x = turn(pose_1, first.axis.column[0]), y = turn(pose_2, second.axis.column[0]);
-    const Vector3 across = cross(x, y);
-    return dot(across, across) > kParallel * kParallel * dot(x, x) * dot(y, y);
+    return has_one_way<Formula::segments>(value, first, second, pose_1, pose_2);
   }
   const bool at_second = is_point(first);
   const SpatialShape& core = at_second ? second : first;

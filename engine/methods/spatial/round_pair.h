@@ -54,7 +54,8 @@ struct RoundPair {
   /// Of a ball whose centre is outside of the other core, or of two cores on which there is one way only.
   template <Formula kFormula>
   [[gnu::always_inline]] static inline bool has_one_way(double value, const SpatialShape& first,
-                                                        const SpatialShape& second) noexcept;
+                                                        const SpatialShape& second, const PoseNumbers& pose_1,
+                                                        const PoseNumbers& pose_2) noexcept;
 
   double lower = 0, upper = 0;  ///< of the signed distance
   Vector3 normal;               ///< from the second body to the first: what proves `lower`, of length 1

@@ -16,7 +16,8 @@ using Kind = SpatialShape::Kind;
 
 // As of SpatialPair, whose chain of operations is longer; a quarter more for the sums of the bounds.
 inline constexpr double kRounding = 320 * 0x1p-53;
-inline constexpr double kLonger = 1e-9;  // of the size: a way that much longer is another one
+inline constexpr double kParallel = 1e-6;  // the sine of an angle
+inline constexpr double kLonger = 1e-9;    // of the size: a way that much longer is another one
 inline constexpr double kSmallest = 1e-70, kLargest = 1e70;
 
 inline constexpr double kIdentity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -255,15 +256,23 @@ template <class Use>
 
 template <RoundPair::Formula kFormula>
 [[gnu::always_inline]] inline bool RoundPair::has_one_way(double value, const SpatialShape& first,
-                                                          const SpatialShape& second) noexcept {
+                                                          const SpatialShape& second,
+                                                          const PoseNumbers& pose_1,
+                                                          const PoseNumbers& pose_2) noexcept {
+  using namespace round_pair;
   using F = Formula;
   if constexpr (kFormula == F::points || kFormula == F::point_and_segment || kFormula == F::segment_and_point)
     return true;
-  if constexpr (kFormula == F::segments) return false;
+  if constexpr (kFormula == F::segments) {
+    const Vector3 x = Place{pose_1.R != nullptr ? pose_1.R : kIdentity, {}}.turn(first.axis.column[0]),
+                  y = Place{pose_2.R != nullptr ? pose_2.R : kIdentity, {}}.turn(second.axis.column[0]);
+    const Vector3 across = cross(x, y);
+    return dot(across, across) > kParallel * kParallel * dot(x, x) * dot(y, y);
+  }
   constexpr bool kAtSecond =
       kFormula == F::point_and_box || kFormula == F::point_and_frustum || kFormula == F::point_and_ellipsoid;
   const double size = kAtSecond ? second.extent : first.extent;
-  return value + first.radius + second.radius > round_pair::kLonger * size;
+  return value + first.radius + second.radius > kLonger * size;
 }
 
 template <RoundPair::Formula kFormula>

@@ -27,9 +27,15 @@ struct BoxCore {
     return {*this, v, (high(v.x) < 0 ? 1 : 0) | (high(v.y) < 0 ? 2 : 0) | (high(v.z) < 0 ? 4 : 0)};
   }
 
-  /// Whether no other vertex is the highest along any direction within `tilt` of v, of length 1, for certain.
-  static bool towers(const Vector3& v, double tilt) {
-    return std::fabs(v.x) > tilt && std::fabs(v.y) > tilt && std::fabs(v.z) > tilt;
+  int top(const Vector3& v, double tilt, Vector3 (&end)[2]) const {
+    const int x = std::fabs(v.x) > tilt ? 0 : 1, y = std::fabs(v.y) > tilt ? 0 : 1,
+              z = std::fabs(v.z) > tilt ? 0 : 1, flat = x + y + z;
+    if (flat == 1) {
+      const std::int32_t index = (v.x < 0 ? 1 : 0) | (v.y < 0 ? 2 : 0) | (v.z < 0 ? 4 : 0);
+      end[0] = vertex(index);
+      end[1] = vertex(index ^ (x + 2 * y + 4 * z));
+    }
+    return flat < 2 ? 1 + flat : 0;
   }
 
   template <class Real>

@@ -35,6 +35,7 @@ namespace raygauge {
 ///     way_to(x, i), along(way, i)         of a point x of rim i, and back
 ///     ends_around(x)              of a core without area: the vertices between which x is
 ///     generators(use)             calls use(g) for the half edges whose segments [-g, g] add up to the core
+///     top(v, tilt, end)           of a core that is not smooth: see count_highest()
 ///     disc(v)                     the flat disc on the side of v
 ///
 /// This is the only place that tells kinds apart.
@@ -120,13 +121,15 @@ inline std::int32_t other_piece(const SpatialShape& shape, std::int32_t piece) {
   });
 }
 
-/// Of a core with vertices or two rims: whether one of these is the highest along any direction within `tilt`
-/// of v, of length 1, for certain.
-inline bool towers(const SpatialShape& shape, const Vector3& v, double tilt) {
+/// 1 where one point of a core is the highest along any direction within `tilt` of v, of length 1; 2: the
+/// ends of an edge, which are written. All others are lower there for certain. 0: more, or not known.
+[[gnu::always_inline]] inline int count_highest(const SpatialShape& shape, const Vector3& v, double tilt,
+                                                Vector3 (&end)[2]) {
   return with_core(shape, [&](const auto& core) {
-    if constexpr (requires { core.kIsSmooth; }) return true;
-    if constexpr (requires { core.towers(v, tilt); }) return core.towers(v, tilt);
-    return false;
+    if constexpr (requires { core.kIsSmooth; })
+      return 1;
+    else
+      return core.top(v, tilt, end);
   });
 }
 

@@ -108,12 +108,21 @@ struct FrustumCore {
     return center_of(rim) + Across<double>(Axis<double>(shape), way).w * radius_of(rim);
   }
 
-  /// As of BoxCore: one rim, and v is not along the axis of a disc.
-  bool towers(const Vector3& v, double tilt) const {
+  /// The point of one rim, v not along the axis of its disc, or a line of the side.
+  int top(const Vector3& v, double tilt, Vector3 (&end)[2]) const {
+    constexpr double kBesideAxis = 1e-4;  // |v_⊥|²: no digits of it are lost that count
+    const double widening = shape.top_radius - shape.base_radius, width = shape.full + std::fabs(widening);
+    const double along = dot(v, shape.axis.column[0]), square = 1 - along * along;
+    const double higher = along * shape.full + std::sqrt(square) * widening;
+    if (square > kBesideAxis && std::fabs(higher) > tilt * width) return 1;
     const View<double> view(*this, v);
-    const double width = length(shape.top - shape.base) + std::fabs(shape.top_radius - shape.base_radius);
-    return std::fabs(view.height(kTop) - view.height(kBase)) > tilt * width &&
-           (view.across.size > tilt || !(radius_of(view.index) > 0));
+    if (square > kBesideAxis) {
+      end[0] = view.point(kTop);
+      end[1] = view.point(kBase);
+      return 2;
+    }
+    const bool one_rim = std::fabs(view.height(kTop) - view.height(kBase)) > tilt * width;
+    return one_rim && (view.across.size > tilt || !(radius_of(view.index) > 0)) ? 1 : 0;
   }
 
   /// The Hessian of a rim at u, radius/|u_⊥| (1 - a aᵀ - w wᵀ), of the core with this axis.

@@ -33,18 +33,32 @@ struct PointsCore {
     return {*this, v, highest(v, isa)};
   }
 
-  /// As of BoxCore: in the list of v the highest one is far above the next. Points of other lists only come
-  /// near them at the edge of v's cell.
-  bool towers(const Vector3& v, double tilt) const {
-    if (shape.table == nullptr) return false;
-    double top = -__builtin_inf(), next = top;
-    for (const std::int32_t i : shape.table->listed(v)) {
-      const double height = dot(v, shape.table->point(i));
-      next = height > top ? top : std::max(next, height);
-      top = std::max(top, height);
-    }
+  /// The third highest point is far below the highest, or the second. Points of other lists than that of v
+  /// only come near them at the edge of v's cell.
+  int top(const Vector3& v, double tilt, Vector3 (&end)[2]) const {
     constexpr double kWidest = 4;  // of the extent: more than any two points are apart
-    return top - next > kWidest * tilt * shape.extent;
+    const double most = kWidest * tilt * shape.extent;
+    double height[3] = {-__builtin_inf(), -__builtin_inf(), -__builtin_inf()};
+    std::int32_t index[2] = {0, 0};
+    const auto take = [&](std::int32_t i, double other) {
+      const bool first = other > height[0], second = other > height[1];
+      height[2] = second ? height[1] : std::max(height[2], other);
+      height[1] = first ? height[0] : second ? other : height[1];
+      index[1] = first ? index[0] : second ? i : index[1];
+      height[0] = first ? other : height[0];
+      index[0] = first ? i : index[0];
+    };
+    if (shape.table != nullptr) {
+      for (const std::int32_t i : shape.table->listed(v)) take(i, dot(v, shape.table->point(i)));
+    } else if (shape.block_count == 1 && shape.coordinates == 3) {
+      const double *x = shape.blocks, *y = x + kLanes, *z = y + kLanes;
+      for (std::int32_t i = 0; i < shape.size; ++i) take(i, v.x * x[i] + v.y * y[i] + v.z * z[i]);
+    }
+    if (height[0] - height[1] > most) return 1;
+    if (!(height[0] - height[2] > most)) return 0;
+    end[0] = vertex(index[0]);
+    end[1] = vertex(index[1]);
+    return 2;
   }
 
   template <class Real, class Use>

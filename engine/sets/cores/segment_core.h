@@ -23,11 +23,13 @@ struct SegmentCore {
     return {*this, v, high(dot(v, way)) >= 0 ? 0 : 1};
   }
 
-  /// As of BoxCore.
-  bool towers(const Vector3& v, double tilt) const {
+  int top(const Vector3& v, double tilt, Vector3 (&end)[2]) const {
     const Vector3 way = shape.top - shape.base;
     const double along = dot(v, way);
-    return along * along > tilt * tilt * dot(way, way);
+    if (along * along > tilt * tilt * dot(way, way)) return 1;
+    end[0] = shape.top;
+    end[1] = shape.base;
+    return 2;
   }
 
   template <class Real>
