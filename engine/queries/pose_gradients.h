@@ -42,7 +42,6 @@ class PoseGradients {
   using Candidate = PoseGradient::Candidate;
 
   bool bind();
-  bool is_rounded() const;
   bool is_half_space(int i) const;
   void add_lowest(const Vector3& by_translation, PoseGradient& gradient);
   bool is_tower(int i, const Vector3& n, double tilt) const;

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "raygauge/exceptions.h"
 #include "raygauge/scene/motion.h"
 #include "raygauge/scene/scene.h"
 #include "raygauge/sets/convex_set.h"
@@ -219,6 +220,19 @@ struct Simulation {
   bool stopped = false;
 };
 
+/// A simulation that cannot go on: driven bodies jam others, a body spins too fast for a step to be proven,
+/// or what `advance` or `stop` threw. The steps until then are kept.
+class SimulationError : public Error {
+ public:
+  SimulationError(const std::string& why, Simulation done);
+
+  /// Until the end of the last step that was done: the last instant of its scene.
+  const Simulation& done() const noexcept { return *done_; }
+
+ private:
+  std::shared_ptr<const Simulation> done_;
+};
+
 struct SimulationPart;  // scene/simulation/simulation_part.h
 
 /// Where a body is, by its centre of mass, and how it moves. In the plane vectors have zeros behind them.
@@ -235,7 +249,7 @@ struct SimulationHooks {
   std::function<void(double share)> progress;  ///< of the time that is done
   std::function<bool()> due;                   ///< after a step: whether to call `store` now
   std::function<void(const SimulationPart& part)>
-      store;  ///< what happened since its last call; also at the end
+      store;  ///< what happened since its last call; also at the end, and before a SimulationError
   /// Another engine: it takes a step until `end`, and sets the states of the bodies that react, of all bodies
   /// in the order of the scene. Between the ends of a step each moves and turns evenly. Of this motion the
   /// least signed distance is proven, and no limit is kept.
@@ -249,7 +263,7 @@ struct SimulationHooks {
 ///
 /// `friction` solves contact problems with friction that Newton's method does not solve; it may be nullptr.
 /// Throws what check_dynamics() throws, and InvalidParameterError for bodies that overlap by more than δ at
-/// the start (see StartOverlap).
+/// the start (see StartOverlap). SimulationError where it cannot go on.
 ///
 /// `before`: what an earlier call has stored of the same scene and dynamics; this one goes on from there, and
 /// finds bit for bit what one call would have.

@@ -114,13 +114,20 @@ py::dict simulated_columns(const Scene& scene, const Dynamics& dynamics, int thr
   hooks.stop = [&stop] { return stop.load(); };
   hooks.threads = batch_threads(threads);
   Simulation found;
-  run_interruptibly(stop, [&] { found = simulate(scene, dynamics, nullptr, hooks); });
+  py::object ended_by = py::none();
+  try {
+    run_interruptibly(stop, [&] { found = simulate(scene, dynamics, nullptr, hooks); });
+  } catch (const SimulationError& error) {
+    found = error.done();
+    ended_by = py::str(error.what());
+  }
   py::dict all;
   all["states"] = states_of(found);
   all["contacts"] = contacts_of(found.contacts);
   all["steps"] = steps_of(found.steps);
   all["counters"] = counters_of(found.counters);
   all["tolerance"] = found.tolerance;
+  all["ended_by"] = ended_by;
   all["answers"] = scene_columns(found.scene, threads);
   return all;
 }

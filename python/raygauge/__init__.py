@@ -75,7 +75,7 @@ from .files import ResultsError, open
 from .loading import Robot, SceneFile, load_robot, load_scene, load_set
 from .planning import Plan, plan
 from .scenes import Scene, SceneAnswers
-from .simulation import Simulation, simulate
+from .simulation import Simulation, SimulationError, simulate
 from .sweeps import ProgramError, run
 
 
@@ -133,6 +133,7 @@ __all__ = [
     "Separations",
     "Simplex",
     "Simulation",
+    "SimulationError",
     "Status",
     "SupportMappingSet",
     "TruncatedCone",

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._raygauge import ConvexSet, InvalidParameterError, Mesh, UnknownNameError
 from .scenes import SceneAnswers
-from .simulation import Simulation
+from .simulation import Simulation, simulation_of
 from .sweeps import ProgramError
 
 if TYPE_CHECKING:
@@ -161,7 +161,7 @@ class SceneFile:
 
     def simulate(self, *, threads: int = 0) -> Simulation:
         """Lets the bodies react as [dynamics] says, like raygauge.simulate; nothing is stored."""
-        return Simulation(self._file.simulation(threads), self.bodies, self.queries)
+        return simulation_of(self._file.simulation(threads), self.bodies, self.queries)
 
 
 def load_scene(path: str | os.PathLike[str], *, set: Iterable[str] = (), packages: Folders | None = None) -> SceneFile:

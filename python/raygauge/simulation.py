@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _raygauge
-from ._raygauge import UnknownNameError
+from ._raygauge import Error, UnknownNameError
 from .scenes import Columns, Scene, SceneAnswers
 
 
@@ -34,6 +34,28 @@ class Simulation:
 
     def __repr__(self) -> str:
         return f"<raygauge.Simulation, {self.steps.rows} steps, {self.contacts.rows} contacts>"
+
+
+class SimulationError(Error):
+    """A simulation that cannot go on: driven bodies jam others, or one spins too fast for a step to be proven.
+
+    done: the Simulation until the last step before; its last instant is the end of that.
+    """
+
+    def __init__(self, message: str, done: Simulation) -> None:
+        super().__init__(message)
+        self.done = done
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return SimulationError, (str(self), self.done)
+
+
+def simulation_of(found: Mapping[str, Any], bodies: Sequence[str], queries: Sequence[str]) -> Simulation:
+    """What was found, where it did not end before its time."""
+    done = Simulation(found, bodies, queries)
+    if found["ended_by"] is not None:
+        raise SimulationError(found["ended_by"], done)
+    return done
 
 
 def checked(given: Mapping[str, float] | None, name: str, known: tuple[str, ...]) -> dict[str, float] | None:
@@ -64,7 +86,8 @@ def simulate(
     reacts; it is proven of every step. overlap_at_start: "refuse", or "resolve": bodies are first moved apart. threads: 0 for
     one on each CPU; what is found does not depend on it.
 
-    Ctrl-C ends it. Raises InvalidParameterError, DimensionMismatchError, UnknownNameError and what Scene.run raises.
+    Ctrl-C ends it. Raises InvalidParameterError, DimensionMismatchError, UnknownNameError and what Scene.run raises;
+    SimulationError where it cannot go on, with what was done until then.
 
     >>> scene = rg.Scene(np.linspace(0, 2, 21))
     >>> scene.add_body("cube", rg.Box([-0.1] * 3, [0.1] * 3), density=1000, velocity=[0, 0, 1])
@@ -82,4 +105,4 @@ def simulate(
         "pairs": [(scene._members(a), scene._members(b), checked(law, "pairs", ("friction", "restitution"))) for a, b, law in pairs],
     }  # fmt: skip
     found = _raygauge.simulation(scene._bodies, scene._instants, scene._ignored, scene._queries, effects, threads)
-    return Simulation(found, [body["name"] for body in scene._bodies], [query["name"] for query in scene._queries])
+    return simulation_of(found, [body["name"] for body in scene._bodies], [query["name"] for query in scene._queries])

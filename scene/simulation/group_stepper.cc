@@ -245,7 +245,8 @@ void GroupStepper::move_unproven(double dt) {
   restore(before_);
   for (int trial = 0; !push_and_move(dt); ++trial) {
     if (trial == kMostTrials && jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
-    if (trial == kMostTrials) throw InvalidParameterError("dynamics: a body spins too fast");
+    if (trial == kMostTrials)
+      throw Error("simulation: at " + std::to_string(t_) + " s a body spins too fast");
     dt /= 2;
     restore(before_);
   }

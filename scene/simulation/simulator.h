@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -26,7 +27,9 @@ class Simulator {
  private:
   SimulationState state() const;
   void go_on(std::span<const SimulationPart> before);
+  bool do_step(double to);
   Simulation result();
+  void end_instants();
   void add_body(const Body& body, const BodyDynamics& how);
   void make_parts();
   void come_to_start();
@@ -61,6 +64,7 @@ class Simulator {
   std::unique_ptr<GroupStepper> whole_;  // for large groups, with all threads
   SharedTools<GroupStepper> steppers_;   // for the others, one a thread
   std::atomic<bool> stopped_ = false;
+  std::string ended_by_;  // why it cannot go on
   double t_ = 0;
   std::vector<ContactUnknown> last_;  // contacts of the last substeps
   std::vector<KnownNormal> normals_;  // of pairs that were near then

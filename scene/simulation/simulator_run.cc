@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -21,22 +22,37 @@ Simulation Simulator::run(const SimulationHooks& hooks, std::span<const Simulati
   const auto count = static_cast<std::int64_t>(std::ceil((to - from) / dynamics_.step * (1 - 1e-12)));
   SimulationState ended;
   if (hooks_.store) ended = state();
-  for (auto k = static_cast<std::int64_t>(log_.steps.size()) + 1; k <= count && !out_.stopped; ++k) {
+  bool goes_on = true;
+  for (auto k = static_cast<std::int64_t>(log_.steps.size()) + 1; k <= count && goes_on; ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(count);
-    log_.begin_step();
-    row_ = StepRecord();
-    out_.stopped = !step(k == count ? to : from + share * (to - from));
-    if (out_.stopped) {
-      log_.take_step_back();
-      t_ = log_.steps.empty() ? from : log_.steps.back().time;
-    } else {
-      record_step();
-      if (hooks_.store) ended = state();
-    }
+    goes_on = do_step(k == count ? to : from + share * (to - from));
+    if (goes_on && hooks_.store) ended = state();
     if (hooks_.progress) hooks_.progress(share);
-    if (hooks_.store && (out_.stopped || k == count || hooks_.due())) hooks_.store(log_.next_part(ended));
+    if (hooks_.store && (!goes_on || k == count || hooks_.due())) hooks_.store(log_.next_part(ended));
   }
+  if (!ended_by_.empty()) throw SimulationError(ended_by_, result());
   return result();
+}
+
+// False: it is to stop or cannot go on, and the step is taken back.
+bool Simulator::do_step(double to) {
+  const double begin = t_;
+  log_.begin_step();
+  row_ = StepRecord();
+  try {
+    out_.stopped = !step(to);
+  } catch (const InvalidParameterError& /*mistake*/) {
+    throw;
+  } catch (const Error& error) {
+    ended_by_ = error.what();
+  }
+  if (!out_.stopped && ended_by_.empty()) {
+    record_step();
+    return true;
+  }
+  log_.take_step_back();
+  t_ = begin;
+  return false;
 }
 
 Simulation Simulator::result() {
@@ -47,7 +63,14 @@ Simulation Simulator::result() {
     if (!bodies_[b].reacts() || log_.pieces[b].empty()) continue;
     out_.scene.bodies[b].motion = std::make_shared<PiecewiseMotion>(std::move(log_.pieces[b]), t_);
   }
+  if (!ended_by_.empty()) end_instants();
   return std::move(out_);
+}
+
+void Simulator::end_instants() {
+  std::vector<double>& instants = out_.scene.instants;
+  instants.erase(std::lower_bound(instants.begin(), instants.end(), t_), instants.end());
+  instants.push_back(t_);
 }
 
 SimulationState Simulator::state() const {
@@ -103,6 +126,9 @@ void Simulator::add_energy(StepRecord& row) const {
     row.angular_momentum += body.L + body.x.cross(body.mass * body.v);
   }
 }
+
+SimulationError::SimulationError(const std::string& why, Simulation done)
+    : Error(why), done_(std::make_shared<const Simulation>(std::move(done))) {}
 
 Simulation simulate(const Scene& scene, const Dynamics& dynamics, FrictionSolver* friction,
                     const SimulationHooks& hooks, std::span<const SimulationPart> before) {

@@ -1,6 +1,7 @@
 # Copyright (c) 2026 The raygauge authors
 # SPDX-License-Identifier: MIT
 """Bodies that react, from Python."""
+import pickle
 import unittest
 
 import numpy as np
@@ -57,6 +58,23 @@ class Simulations(unittest.TestCase):
         scene.add_body("disc", rg.Ball([0, 0], 1), mass=1, inertia=0.5, spin=2)
         found = rg.simulate(scene, damping={"angular": 1}, step=1e-3)
         np.testing.assert_allclose(found.states["spin"][:, 2], 2 * np.exp(-found.states["time"]), rtol=6e-4)  # of the middle of a step
+
+    def test_what_was_done_until_a_jam_is_kept(self):
+        scene = rg.Scene(np.linspace(0, 0.3, 31))
+        pose = np.eye(4)
+        pose[2, 3] = 0.1
+        scene.add_body("ball", rg.Ball([0, 0, 0], 0.1), mass=1, pose=pose)
+        scene.add_body("floor", rg.HalfSpace([0, 0, 1], 0))
+        pose[2, 3] = 0.32
+        scene.add_body("press", box(1, 1, 0.1), pose=pose, velocity=[0, 0, -0.5])
+        scene.add_query(["clearance"], name="gap")
+        with self.assertRaisesRegex(rg.SimulationError, "at 0.040000 s 'ball' is jammed by 'floor', 'press'") as raised:
+            rg.simulate(scene, contact={"friction": 0.5}, step=3e-3)
+        for error in (raised.exception, pickle.loads(pickle.dumps(raised.exception))):
+            self.assertEqual((str(error), error.done.steps.rows), (str(raised.exception), 13))
+            np.testing.assert_allclose(error.done.steps["time"][-1], 0.039)
+            np.testing.assert_allclose(np.unique(error.done.states["time"]), [0, 0.01, 0.02, 0.03, 0.039], atol=1e-15)
+            self.assertAlmostEqual(error.done.answers["lower"][0], 0, delta=1e-4)
 
     def test_mistakes_are_exceptions_of_ours(self):
         scene = self.dropped()

@@ -156,6 +156,7 @@ std::string RandomSimulations::depth_error(const Simulation& found, const Dynami
 }
 
 std::string RandomSimulations::error_of(const Simulation& found, const Dynamics& dynamics, bool driven) {
+  tally_.steps += static_cast<std::int64_t>(found.steps.size());
   for (const StepRecord& step : found.steps) {
     tally_.cuts += step.substeps - 1;
     tally_.contacts += step.contacts;
@@ -180,31 +181,20 @@ std::string RandomSimulations::error_of(const Simulation& found, const Dynamics&
   return driven ? "" : energy_error(found, dynamics);
 }
 
-std::string RandomSimulations::error_until_jam(Scene scene, const Dynamics& dynamics, double jam) {
-  ++tally_.jammed;
-  const double to = dynamics.step * std::floor((jam - 1e-6) / dynamics.step);
-  if (!(to > 0)) return "";
-  scene.instants.back() = to;
-  const Simulation found = simulate(scene, dynamics, nullptr);
-  tally_.steps += static_cast<std::int64_t>(found.steps.size());
-  return error_of(found, dynamics, true);
-}
-
 std::optional<std::string> RandomSimulations::check(std::int64_t number) {
   Random random(seed_ * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(number));
   number_ = number;
   const Drawn drawn = draw(random);
   std::string wrong;
   try {
-    const Simulation found = simulate(drawn.scene, drawn.dynamics, nullptr);
-    tally_.steps += static_cast<std::int64_t>(found.steps.size());
-    wrong = error_of(found, drawn.dynamics, drawn.driven);
+    wrong = error_of(simulate(drawn.scene, drawn.dynamics, nullptr), drawn.dynamics, drawn.driven);
+  } catch (const SimulationError& error) {
+    wrong = error.what();
+    const bool jams = drawn.driven && wrong.find(" is jammed by ") != std::string::npos;
+    if (jams) wrong = error_of(error.done(), drawn.dynamics, true);
+    tally_.jammed += jams ? 1 : 0;
   } catch (const Error& error) {
     wrong = error.what();
-    double jam = 0;
-    const bool jams = drawn.driven && std::sscanf(error.what(), "simulation: at %lf s", &jam) == 1 &&
-                      wrong.find(" is jammed by ") != std::string::npos;
-    if (jams) wrong = error_until_jam(drawn.scene, drawn.dynamics, jam);
   }
   ++tally_.scenes;
   tally_.bodies += static_cast<std::int64_t>(drawn.scene.bodies.size());

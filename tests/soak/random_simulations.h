@@ -37,7 +37,6 @@ class RandomSimulations {
 
  private:
   std::string error_of(const Simulation& found, const Dynamics& dynamics, bool driven);
-  std::string error_until_jam(Scene scene, const Dynamics& dynamics, double jam);
   std::string energy_error(const Simulation& found, const Dynamics& dynamics);
   std::string depth_error(const Simulation& found, const Dynamics& dynamics, double t);
 

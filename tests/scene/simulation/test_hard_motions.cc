@@ -12,6 +12,7 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/half_space.h"
 #include "scene/simulation/piecewise_motion.h"
+#include "scene/simulation/simulation_part.h"
 #include "tests/scene/simulation/reacting_scenes.h"
 
 /// Hard cases with known truth, at steps that differ by powers of ten.
@@ -160,6 +161,34 @@ TEST(HardMotions, a_ball_under_a_press_is_squeezed_out_or_the_simulation_ends_in
   EXPECT_EQ(refusal(pressed(lean, 0.5)), "simulation: at 0.037992" + jammed);
   EXPECT_EQ(refusal(pressed(0, 0.5)), "simulation: at 0.040000" + jammed);
   EXPECT_EQ(refusal(pressed(0, std::nullopt)), "simulation: at 0.040000" + jammed);
+}
+
+// The press arrives at 0.04 s, in the middle of a step.
+TEST(HardMotions, what_was_done_until_a_jam_is_kept) {
+  Reacting scene = pressed(0, 0.5);
+  scene.dynamics.step = 3e-3;
+  scene.scene.instants = {0, 0.01, 0.02, 0.3};
+  for (const int threads : {1, 2}) {
+    SimulationHooks hooks;
+    hooks.threads = threads;
+    std::size_t stored = 0;
+    hooks.due = [] { return false; };
+    hooks.store = [&stored](const SimulationPart& part) { stored += part.steps.size(); };
+    try {
+      simulate(scene.scene, scene.dynamics, nullptr, hooks);
+      ADD_FAILURE() << "no jam";
+    } catch (const SimulationError& error) {
+      const Simulation& done = error.done();
+      expect_proven(done);
+      ASSERT_EQ(done.steps.size(), 13U);
+      EXPECT_EQ(stored, done.steps.size());
+      EXPECT_DOUBLE_EQ(done.steps.back().time, 0.039);
+      EXPECT_EQ(done.scene.instants, (std::vector<double>{0, 0.01, 0.02, done.steps.back().time}));
+      EXPECT_FALSE(done.stopped);
+      const double end = done.scene.instants.back();
+      EXPECT_NEAR(done.scene.bodies[0].motion->at(end).t[2], 0.1, 1e-6);
+    }
+  }
 }
 
 }  // namespace
