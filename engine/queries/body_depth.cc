@@ -189,6 +189,7 @@ bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
 bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer) {
   if (!cores_.place(pair_.pose(0), pair_.pose(1))) return false;
+  const auto is_close = [&] { return answer.bounds.close(tolerance) || answer.bounds.gap() <= enough_; };
   double asked = tolerance;
   nearest_.clear();
   if (start != nullptr) nearest_ = *start;
@@ -199,14 +200,14 @@ bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthA
     if (attempt == 0 && (!known || cores_.answer().end != SpatialEnd::closed)) return false;
     if (!known || cores_.answer().end != SpatialEnd::closed) break;
     bound_apart(answer);
-    if (answer.bounds.close(tolerance)) break;
+    if (is_close()) break;
     asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().bounds.upper());
   }
-  if (!answer.bounds.close(tolerance)) refine_apart(answer);
+  if (!is_close()) refine_apart(answer);
   normal_ = -pair_.frame().to_body(&answer.normal.x);
   answer.point_1 = answer.point_1 - answer.normal * radius_[0];
   answer.point_2 = answer.point_2 + answer.normal * radius_[1];
-  answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal : DistanceStatus::precision_limit;
+  answer.status = is_close() ? DistanceStatus::optimal : DistanceStatus::precision_limit;
   return true;
 }
 

@@ -42,6 +42,11 @@ class BodyDepth {
  public:
   /// The sets, which must outlive the solves. False if one of them has no SpatialShape.
   bool bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa);
+  /// A depth whose bounds are so close is not refined, whatever its tolerance.
+  void set_enough(double gap) noexcept {
+    enough_ = gap;
+    cores_.set_enough(gap / 4);
+  }
   /// Where they are; the numbers must outlive the solves.
   bool place(const PoseNumbers& first, const PoseNumbers& second);
 
@@ -107,6 +112,7 @@ class BodyDepth {
   HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
   ZonotopeDepth boxes_;
   PolytopeDepth polytopes_;
+  double enough_ = 0;
   double tiny_ = 0;               // at least |s| on the difference of cores that are as good as one point
   double floor_ = 0;              // proven of the depth of the cores
   PairStart nearest_;             // of the cores, where these are apart

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "engine/queries/body_faces.h"
+#include "engine/queries/formula_distance.h"
+#include "engine/queries/ladder.h"
 #include "engine/queries/patch_points.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
@@ -20,6 +22,7 @@ namespace {
 
 // Segments that cross at a larger angle have a point in common, not a line.
 constexpr double kCrossing = 0.5;
+constexpr double kOfMargin = 1e-9;  // bounds that are closer are close enough
 constexpr double kMissed = 0.01;  // of the margin, by which the least gap may miss the distance or the depth
 
 double checked_margin(double margin, int n) {
@@ -36,9 +39,9 @@ double checked_margin(double margin, int n) {
 
 class ContactPatchSolver::Work {
  public:
-  explicit Work(const DistanceOptions& options) : isa_(options.instruction_set), distance_(options) {}
+  explicit Work(const DistanceOptions& options) : isa_(options.instruction_set), ladder_(options) {}
 
-  void set_stop(std::function<bool()> stop) { distance_.set_stop(std::move(stop)); }
+  void set_stop(std::function<bool()> stop) { ladder_.set_stop(std::move(stop)); }
 
   const ContactPatch& solve(const Posed& A1, const Posed& A2, double margin, WarmStart* warm);
 
@@ -47,7 +50,7 @@ class ContactPatchSolver::Work {
   void take_closest(const Vector& point_1, const Vector& point_2);
 
   InstructionSet isa_;
-  ObjectDistanceSolver distance_;
+  Ladder ladder_;
   const Ball ball_[2] = {Ball(Vector::Zero(2), 1.0), Ball(Vector::Zero(3), 1.0)};
   BodyFaces faces_;
   PatchPoints points_;
@@ -95,8 +98,9 @@ const ContactPatch& ContactPatchSolver::Work::solve(const Posed& A1, const Posed
   const int n = A1.dimension();
   check_dimension("contact patch", "A2", A2.dimension(), n);
   checked_margin(margin, n);
-  const ObjectDistance& found =
-      distance_.solve(A1, A2, ball_[n - 2], ObjectEffects::closest_points | ObjectEffects::depth, warm);
+  ladder_.set_enough(kOfMargin * margin);
+  const ObjectDistance& found = distance_of_objects(
+      ladder_, A1, A2, ball_[n - 2], ObjectEffects::closest_points | ObjectEffects::depth, warm);
   patch_.count = 0;
   patch_.normal = {};
   patch_.error = DistanceResult::kUnset;

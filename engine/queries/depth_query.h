@@ -18,6 +18,9 @@ namespace raygauge {
 /// are bounds only: 0, and the least of a few directions.
 class DepthQuery {
  public:
+  /// As BodyDepth::set_enough(); of bodies by support mappings it has no effect.
+  void set_enough(double gap) noexcept { bodies_.set_enough(gap); }
+
   /// Of objects that are not proven to be apart. Where `start` is that of an overlap and its normal proves
   /// the objects apart, the result is that of no evaluation. `seconds` of the time limit have been spent
   /// already, or NaN.

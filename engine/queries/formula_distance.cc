@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/queries/formula_distance.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -154,11 +155,13 @@ using Answer = const ObjectDistance& (*)(Ladder&, const Posed&, const Posed&, co
 }
 
 // The bounds count as everywhere: those of the distance, or of the depth.
-[[gnu::always_inline]] inline bool is_close(const RoundPair& round, ObjectEffects effects, double tolerance) {
+[[gnu::always_inline]] inline bool is_close(const RoundPair& round, ObjectEffects effects,
+                                            const Ladder& ladder) {
   const bool apart = round.lower > 0;
   if (!round.is_known || !(apart || round.upper < 0)) return false;
   const double upper = apart ? round.upper : -round.lower;
-  return !is_valued(round, effects) || round.upper - round.lower <= tolerance * upper;
+  return !is_valued(round, effects) ||
+         round.upper - round.lower <= std::max(ladder.options().tolerance * upper, ladder.enough());
 }
 
 [[gnu::always_inline]] inline void put_answer(const RoundPair& round, const Posed& A1, const Posed& A2,
@@ -184,8 +187,7 @@ RAYGAUGE_VECTORS [[gnu::noinline]] const ObjectDistance& answer_by(Ladder& ladde
   const SpatialShape &one = *A1.set.spatial_shape(), &two = *A2.set.spatial_shape();
   RoundPair round;
   round.solve<kFormula>(one, two, numbers_of(A1.pose), numbers_of(A2.pose));
-  if (!is_close(round, effects, ladder.options().tolerance))
-    return distance_by_search(ladder, A1, A2, metric, effects, warm);
+  if (!is_close(round, effects, ladder)) return distance_by_search(ladder, A1, A2, metric, effects, warm);
   const bool valued = is_valued(round, effects);
   const double value = 0.5 * (round.lower + round.upper);
   if (valued && has_effect(effects, ObjectEffects::pose_gradient) &&

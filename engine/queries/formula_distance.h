@@ -15,6 +15,10 @@ namespace raygauge {
 const ObjectDistance& distance_by_formula(Ladder& ladder, const Posed& A1, const Posed& A2,
                                           const ConvexSet& metric, ObjectEffects effects, WarmStart* warm);
 
+/// By a formula where the ladder's options and the warm start leave it to one, or by search.
+const ObjectDistance& distance_of_objects(Ladder& ladder, const Posed& A1, const Posed& A2,
+                                          const ConvexSet& metric, ObjectEffects effects, WarmStart* warm);
+
 /// The answer of the ladder.
 const ObjectDistance& distance_by_search(Ladder& ladder, const Posed& A1, const Posed& A2,
                                          const ConvexSet& metric, ObjectEffects effects, WarmStart* warm);

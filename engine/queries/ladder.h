@@ -69,6 +69,15 @@ class Ladder {
   void set_options(const DistanceOptions& options);
   void set_stop(std::function<bool()> stop) { stop_ = std::move(stop); }
 
+  /// Bounds of a distance or a depth of bodies that are so close need no more work, whatever the tolerance.
+  /// 0: the tolerance alone counts.
+  void set_enough(double gap) noexcept {
+    enough_ = gap;
+    bodies_.set_enough(gap);
+    depth_.set_enough(gap);
+  }
+  double enough() const noexcept { return enough_; }
+
   /// Of the last distance, or of a formula that needs no ladder.
   ObjectDistance& answer() noexcept { return answer_; }
 
@@ -106,6 +115,7 @@ class Ladder {
   void conclude(Separation outcome, Bounds growth);
 
   DistanceOptions options_;
+  double enough_ = 0;
   std::function<bool()> stop_;
   Stopwatch stopwatch_;  // over all general methods that take part
   SpatialQuery bodies_;

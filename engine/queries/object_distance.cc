@@ -36,6 +36,15 @@ const ObjectDistance& distance_by_search(Ladder& ladder, const Posed& A1, const 
   return result;
 }
 
+const ObjectDistance& distance_of_objects(Ladder& ladder, const Posed& A1, const Posed& A2,
+                                          const ConvexSet& Q, ObjectEffects effects, WarmStart* warm) {
+  if (has_effect(effects, ObjectEffects::pose_gradient)) effects = effects | ObjectEffects::closest_points;
+  const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
+  if (by_search || !is_open_to_bodies(ladder.options()))
+    return distance_by_search(ladder, A1, A2, Q, effects, warm);
+  return distance_by_formula(ladder, A1, A2, Q, effects, warm);
+}
+
 ObjectDistanceSolver::ObjectDistanceSolver(const DistanceOptions& options)
     : ladder_(std::make_unique<Ladder>(options)) {}
 
@@ -52,11 +61,7 @@ const ObjectDistance& ObjectDistanceSolver::solve(const ConvexSet& A1, const Con
 
 const ObjectDistance& ObjectDistanceSolver::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q,
                                                   ObjectEffects effects, WarmStart* warm) {
-  if (has_effect(effects, ObjectEffects::pose_gradient)) effects = effects | ObjectEffects::closest_points;
-  const bool by_search = warm != nullptr && warm->overlap;  // the depth of before
-  if (by_search || !is_open_to_bodies(ladder_->options()))
-    return distance_by_search(*ladder_, A1, A2, Q, effects, warm);
-  return distance_by_formula(*ladder_, A1, A2, Q, effects, warm);
+  return distance_of_objects(*ladder_, A1, A2, Q, effects, warm);
 }
 
 }  // namespace raygauge

@@ -34,6 +34,9 @@ class SpatialQuery {
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
               double threshold, WarmStart* warm, DistanceResult& result);
 
+  /// As SpatialSolve::set_enough().
+  void set_enough(double gap) noexcept { solve_.set_enough(gap); }
+
   /// Nothing is known of bodies before a query.
   void begin() noexcept { asked_ = false; }
 

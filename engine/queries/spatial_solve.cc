@@ -122,6 +122,9 @@ void SpatialSolve::step_on_cores(double tolerance) {
 
 // Whether the answer is final, after precise steps where it is not in doubles.
 bool SpatialSolve::settle(double tolerance) {
+  const Bounds& known = record_.answer.bounds;
+  const bool enough = known.lower() > 0 && known.agree() && known.gap() <= enough_;
+  if (record_.answer.end == SpatialEnd::open && enough) record_.answer.end = SpatialEnd::closed;
   if (record_.answer.end == SpatialEnd::open) precise_distance(pair_, tolerance, record_.answer);
   return record_.answer.end == SpatialEnd::closed || record_.answer.end == SpatialEnd::intersecting;
 }

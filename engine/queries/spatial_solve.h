@@ -23,6 +23,9 @@ class SpatialSolve {
   /// Curved bodies most likely meet, if they are near: steps in doubles, which prove it, are not left early.
   void expect_overlap() noexcept { near_curved_ = 1e-8; }
 
+  /// A distance whose bounds are so close is as precise as is asked for, whatever its tolerance.
+  void set_enough(double gap) noexcept { enough_ = gap; }
+
   /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
   bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 
@@ -88,6 +91,7 @@ class SpatialSolve {
   Record record_;
   const ConvexSet* first_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
+  double enough_ = 0;
   double near_curved_ = 3e-3;  // of the size: where other steps are faster
 };
 

@@ -172,7 +172,7 @@ struct ContactPatch {
   /// Every point is at most this far from its body, and from the surface of it: proven, rounding included.
   double error = DistanceResult::kUnset;
 
-  /// Bounds on the signed distance of the bodies, and its status: see ObjectDistance and ObjectDepth.
+  /// Bounds on the signed distance, to the tolerance or 1e-9 of the margin, and its status: ObjectDistance.
   double lower = DistanceResult::kUnset, upper = DistanceResult::kUnset;
   DistanceStatus status = DistanceStatus::precision_limit;
 

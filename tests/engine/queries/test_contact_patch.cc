@@ -246,6 +246,30 @@ TEST(ContactPatch, OfEveryPairOfKindsIsOnBothSurfaces) {
   }
 }
 
+// To the tolerance or a billionth of the margin: of bodies that touch less is computed, and is as true.
+TEST(ContactPatch, BoundsOfBodiesThatTouchAreThoseOfTheirDistanceOrDepth) {
+  constexpr double kMargin = 1e-3;
+  ContactPatchSolver solver;
+  DistanceOptions fine;
+  fine.tolerance = 1e-9;
+  ObjectDistanceSolver distances(fine);
+  const Ball ball(V(0, 0, 0), 1);
+  for (const double gap : {1e-5, 1e-7, 1e-10, 1e-13, -1e-13, -1e-10, -1e-7, -1e-5}) {
+    for (const Resting& pair : resting_pairs(gap)) {
+      const Posed A1{*pair.A1, pair.pose_1}, A2{*pair.A2, pair.pose_2};
+      const ContactPatch& patch = solver.solve(A1, A2, kMargin);
+      const ObjectDistance& found =
+          distances.solve(A1, A2, ball, ObjectEffects::closest_points | ObjectEffects::depth);
+      const bool apart = found.distance.lower > 0;
+      const double lower = apart ? found.distance.lower : -found.depth.upper,
+                   upper = apart ? found.distance.upper : -found.depth.lower;
+      EXPECT_LE(patch.lower, upper) << pair.names << ' ' << gap;
+      EXPECT_GE(patch.upper, lower) << pair.names << ' ' << gap;
+      EXPECT_LE(patch.upper - patch.lower, upper - lower + 1e-9 * kMargin) << pair.names << ' ' << gap;
+    }
+  }
+}
+
 TEST(ContactPatch, MovesLittleWhereBodiesMoveLittle) {
   ContactPatchSolver solver;
   constexpr double kStep = 1e-9;
