@@ -24,6 +24,45 @@ SpatialShape core_of(const SpatialShape& shape) {
   return core;
 }
 
+// The point of the difference of the cores that is nearest to the origin, in double-double arithmetic, by the
+// algorithm of Gilbert, Johnson & Keerthi from what the distance in doubles found: of a centre and a core
+// with a formula its projection, else the support point for the normal, and the vertices and curves that it
+// is on.
+PreciseVector3 nearest_of_cores(const SpatialPair& pair, const SpatialSolve& cores, PrecisePair& precise) {
+  constexpr int kMostSteps = 16, kProjections = 3;
+  const SpatialCombination& found = cores.answer().combination;
+  const double* n = cores.normal();
+  const PreciseVector3 normal = -raygauge::precise({n[0], n[1], pair.dimension() == 3 ? n[2] : 0.0});
+  ActivePieces<PrecisePair> simplex;
+  DoubleDouble height;
+  simplex.point[0] = precise.support(normal, height);
+  simplex.count = 1;
+  if (found.count > 0) {
+    PrecisePoint projected;
+    projected.a1 = raygauge::precise(found.point[0].a1);
+    projected.a2 = raygauge::precise(pair.frame().to_second(found.point[0].a2));
+    for (int i = 0; i < kProjections && precise.project(projected); ++i) simplex.point[0] = projected;
+  }
+  for (int i = 0; i < std::min(found.count, 3); ++i) {
+    PrecisePoint& piece = simplex.point[simplex.count];
+    piece.index_1 = found.point[i].index_1;
+    piece.index_2 = found.point[i].index_2;
+    if (precise.follow(normal, piece)) ++simplex.count;
+  }
+  PreciseVector3 v;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const SimplexFace<DoubleDouble> face = nearest_face_of(simplex);
+    keep(face, simplex);
+    v = combine(simplex, face);
+    const double away = length(rounded(v));
+    if (simplex.count == 4 || !(away > 0)) break;
+    const PrecisePoint w = precise.support(v * DoubleDouble{-1 / away}, height);
+    if (!((height + away).high > precise.error())) break;
+    simplex.point[simplex.count++] = w;
+  }
+  return v;
+}
+
 }  // namespace
 
 bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -113,45 +152,6 @@ DoubleDouble BodyDepth::ball_height(const PreciseVector3& u) const {
   return sum;
 }
 
-// The point of the difference of the cores that is nearest to the origin, in double-double arithmetic, by the
-// algorithm of Gilbert, Johnson & Keerthi from what the distance in doubles found: of a centre and a core
-// with a formula its projection, else the support point for the normal, and the vertices and curves that it
-// is on.
-PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
-  constexpr int kMostSteps = 16, kProjections = 3;
-  const SpatialCombination& found = cores_.answer().combination;
-  const double* n = cores_.normal();
-  const PreciseVector3 normal = -raygauge::precise({n[0], n[1], pair_.dimension() == 3 ? n[2] : 0.0});
-  ActivePieces<PrecisePair> simplex;
-  DoubleDouble height;
-  simplex.point[0] = precise.support(normal, height);
-  simplex.count = 1;
-  if (found.count > 0) {
-    PrecisePoint projected;
-    projected.a1 = raygauge::precise(found.point[0].a1);
-    projected.a2 = raygauge::precise(pair_.frame().to_second(found.point[0].a2));
-    for (int i = 0; i < kProjections && precise.project(projected); ++i) simplex.point[0] = projected;
-  }
-  for (int i = 0; i < std::min(found.count, 3); ++i) {
-    PrecisePoint& piece = simplex.point[simplex.count];
-    piece.index_1 = found.point[i].index_1;
-    piece.index_2 = found.point[i].index_2;
-    if (precise.follow(normal, piece)) ++simplex.count;
-  }
-  PreciseVector3 v;
-  for (int step = 0; step < kMostSteps; ++step) {
-    const SimplexFace<DoubleDouble> face = nearest_face_of(simplex);
-    keep(face, simplex);
-    v = combine(simplex, face);
-    const double away = length(rounded(v));
-    if (simplex.count == 4 || !(away > 0)) break;
-    const PrecisePoint w = precise.support(v * DoubleDouble{-1 / away}, height);
-    if (!((height + away).high > precise.error())) break;
-    simplex.point[simplex.count++] = w;
-  }
-  return v;
-}
-
 // Distances are rounded to doubles, which is too coarse where the depth is a small part of them. With the
 // normal of the distance, and the pieces of the bodies that it came from, the difference is taken in
 // double-double arithmetic. A point v of the difference of the cores proves a lower bound: with w = -v/|v|
@@ -161,7 +161,7 @@ PreciseVector3 BodyDepth::nearest_of_cores(PrecisePair& precise) const {
 void BodyDepth::refine_apart(BodyDepthAnswer& answer) {
   PrecisePair precise;
   if (!precise.bind(pair_)) return;
-  const PreciseVector3 v = nearest_of_cores(precise);
+  const PreciseVector3 v = nearest_of_cores(pair_, cores_, precise);
   answer.support_queries += precise.queries();
   const DoubleDouble away = sqrt(dot(v, v));
   const double error = 2 * precise.error();
@@ -195,7 +195,7 @@ bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthA
   if (start != nullptr) nearest_ = *start;
   for (int attempt = 0; attempt < 2; ++attempt) {
     const bool known = cores_.distance(asked, &nearest_);
-    answer.support_queries += cores_.support_queries();
+    answer.support_queries += cores_.pair().queries();
     answer.iterations += cores_.answer().iterations;
     if (attempt == 0 && (!known || cores_.answer().end != SpatialEnd::closed)) return false;
     if (!known || cores_.answer().end != SpatialEnd::closed) break;

@@ -62,28 +62,17 @@ class BodyDepth {
   void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
 
  private:
-  struct InHull {
-    HullSurface::Nearest nearest(InstructionSet isa) const;
-
-    const HullSurface* surface = nullptr;
-    bool is_second = false;  ///< the hull; then the other body is the first
-    Vector3 center, own;     ///< that of the other body in the frame of the first, and in that of the hull
-    Vector3 half, own_half;  ///< the same of half of its segment
-  };
   enum class Source : std::uint8_t { none, hull, boxes, polytopes, quick, precise };
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
   bool solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer);
   void bound_apart(BodyDepthAnswer& answer);
   DoubleDouble ball_height(const PreciseVector3& u) const;
-  PreciseVector3 nearest_of_cores(PrecisePair& precise) const;
   void refine_apart(BodyDepthAnswer& answer);
   bool is_tiny(const PoseNumbers& first, const PoseNumbers& second);
   void bound_tiny(double tolerance, BodyDepthAnswer& answer) const;
   bool search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
                     BodyDepthAnswer& answer);
-  InHull in_hull() const;
-  Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) const;
   bool leave_hull(double tolerance, BodyDepthAnswer& answer);
   bool leave_boxes(double tolerance, BodyDepthAnswer& answer);
   bool leave_polytopes(double tolerance, BodyDepthAnswer& answer);

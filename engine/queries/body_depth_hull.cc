@@ -13,28 +13,37 @@
 
 namespace raygauge {
 
-// Of a hull with a known surface, and a point or a segment.
-BodyDepth::InHull BodyDepth::in_hull() const {
-  const int at = pair_.shape(0).kind == SpatialShape::Kind::points ? 0 : 1;
-  const SpatialShape &hull = pair_.shape(at), &other = pair_.shape(1 - at);
+namespace {
+
+// A point or a segment, and a hull with a known surface.
+struct InHull {
+  HullSurface::Nearest nearest(InstructionSet isa) const {
+    return dot(own_half, own_half) > 0 ? surface->nearest_of_sum(own, own_half) : surface->nearest(own, isa);
+  }
+
+  const HullSurface* surface = nullptr;
+  bool is_second = false;  // the hull; then the other body is the first
+  Vector3 center, own;     // that of the other body in the frame of the first, and in that of the hull
+  Vector3 half, own_half;  // the same of half of its segment
+};
+
+InHull in_hull(const SpatialPair& pair) {
+  const int at = pair.shape(0).kind == SpatialShape::Kind::points ? 0 : 1;
+  const SpatialShape &hull = pair.shape(at), &other = pair.shape(1 - at);
   if (hull.kind != SpatialShape::Kind::points || hull.table == nullptr || !is_between_ends(other)) return {};
   const Vector3 half = is_point(other) ? Vector3{} : other.axis.column[0];
-  const Matrix3& R = pair_.frame().R;
+  const Matrix3& R = pair.frame().R;
   if (at == 0) {
-    const Vector3 center = pair_.frame().from_second(other.center), turned = R * half;
+    const Vector3 center = pair.frame().from_second(other.center), turned = R * half;
     return {&hull.table->surface(), false, center, center, turned, turned};
   }
-  return {&hull.table->surface(),  true, other.center, pair_.frame().to_second(other.center), half,
+  return {&hull.table->surface(),  true, other.center, pair.frame().to_second(other.center), half,
           R.transposed_times(half)};
-}
-
-HullSurface::Nearest BodyDepth::InHull::nearest(InstructionSet isa) const {
-  return dot(own_half, own_half) > 0 ? surface->nearest_of_sum(own, own_half) : surface->nearest(own, isa);
 }
 
 // Of the segment, the point in contact: the end that is the farthest from the plane, or the one across the
 // edge, which is given in the frame of the hull.
-Vector3 BodyDepth::touching(const InHull& in, const HullSurface::Nearest& nearest) const {
+Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) {
   if (!(dot(in.half, in.half) > 0)) return in.center;
   double s = 0, t = dot(nearest.normal, in.own_half) > 0 ? -1.0 : 1.0;
   if (nearest.is_edge) {
@@ -45,9 +54,11 @@ Vector3 BodyDepth::touching(const InHull& in, const HullSurface::Nearest& neares
   return in.center + in.half * t;
 }
 
+}  // namespace
+
 // The planes of the surface say it all: whether the other body's centre is inside, and how deep.
 bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
-  const InHull in = in_hull();
+  const InHull in = in_hull(pair_);
   if (in.surface == nullptr) return false;
   const HullSurface::Nearest nearest = in.nearest(isa_);
   const double lower = nearest.room - pair_.error();
@@ -147,7 +158,7 @@ void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vecto
   constexpr double kRounding = 1 + 1e-9;
   const double most = plane_.room + relative * (plane_.room + ball_upper_.rounded());
   if (plane_.second > most * kRounding) return;
-  const InHull in = in_hull();
+  const InHull in = in_hull(pair_);
   const Nearness near(angle);
   const auto add = [&](const Vector3& plane) {
     const Vector3 n = in.is_second ? -(pair_.frame().R * plane) : plane;

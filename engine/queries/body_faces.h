@@ -71,11 +71,6 @@ class BodyFaces {
   /// is tilted from that by `tilt`.
   bool has_one_top(int i, const Vector3& normal, double tilt) const;
 
-  /// Whether a body is a ball or an ellipsoid: there is one point in contact.
-  bool is_rounded() const noexcept {
-    return has_shapes_ && (is_smooth(pair_.shape(0)) || is_smooth(pair_.shape(1)));
-  }
-
   /// How many directions the surface of body i is smooth in, at the highest point of the last find(): 2 of a
   /// ball, 1 of a rim, whose direction is written, 0 of a vertex.
   int smooth_directions(int i, Vector3& direction) const;

@@ -35,6 +35,11 @@ double checked_margin(double margin, int n) {
   return margin;
 }
 
+// Whether a body is a ball or an ellipsoid.
+bool has_one_point(const SpatialPair* pair) {
+  return pair != nullptr && (is_smooth(pair->shape(0)) || is_smooth(pair->shape(1)));
+}
+
 }  // namespace
 
 class ContactPatchSolver::Work {
@@ -115,7 +120,7 @@ const ContactPatch& ContactPatchSolver::Work::solve(const Posed& A1, const Posed
   if (patch_.lower > margin || !faces_.bind(A1, A2, isa_)) return patch_;
   const Vector &point_1 = apart ? found.closest_point_1 : found.depth.point_1,
                &point_2 = apart ? found.closest_point_2 : found.depth.point_2;
-  if (faces_.is_rounded() && point_1.size() == n && point_2.size() == n) {
+  if (has_one_point(faces_.pair()) && point_1.size() == n && point_2.size() == n) {
     take_closest(point_1, point_2);
     return patch_;
   }

@@ -32,7 +32,7 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
   result.counters = {};
   result.counters.outer_iterations = 1;
   result.counters.ray_iterations = solve_.answer().iterations;
-  result.counters.support_queries = solve_.support_queries();
+  result.counters.support_queries = solve_.pair().queries();
   result.sigma = result.seconds = DistanceResult::kUnset;
   result.origin_weights.clear();
   if (result.contact_point.size() != 0) result.contact_point.resize(0);

@@ -49,7 +49,7 @@ class SpatialQuery {
   /// Of the last query, in its units, where that returned false; whether there was fixed-size code for it.
   const ProvenBounds& proven() const noexcept { return proven_; }
   bool was_asked() const noexcept { return asked_; }
-  std::int64_t support_queries() const noexcept { return solve_.support_queries(); }
+  std::int64_t support_queries() const noexcept { return solve_.pair().queries(); }
 
   /// Whether two bodies have a point in common: the Euclidean distance, to whatever precision. normal() is
   /// then that of a plane between them, as SeparationResult has it.

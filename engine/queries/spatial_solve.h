@@ -44,7 +44,6 @@ class SpatialSolve {
   int dimension() const noexcept { return pair_.dimension(); }
   /// Points that one pass over both bodies looks at.
   std::ptrdiff_t points() const noexcept { return points_of(pair_.shape(0)) + points_of(pair_.shape(1)); }
-  std::int64_t support_queries() const noexcept { return pair_.queries(); }
 
   /// The normal that proves the lower bound of the last distance where that is above 0, of length one, in the
   /// world: n numbers.

@@ -84,7 +84,7 @@ bool PartSolver::distance_by_fixed_code(const PlacedPair& pair, PartNumbers part
   if (!pair.euclidean()) return false;
   SpatialSolve* solve = fixed_solve(pair, parts);
   if (solve == nullptr || !solve->distance(tolerance_, &memory.distance)) return false;
-  counters.support_queries += solve->support_queries();
+  counters.support_queries += solve->pair().queries();
   const SpatialAnswer& found = solve->answer();
   memory.overlapped = found.end == SpatialEnd::intersecting;
   if (memory.overlapped) {
@@ -197,7 +197,7 @@ void PartSolver::growth(PlacedPair& pair, PartNumbers parts, PartMemory& memory,
   ++counters.growth_solves;
   SpatialSolve* solve = fixed_solve(pair, parts);
   if (solve != nullptr && solve->growth(false, tolerance_, kNoThreshold, &memory.growth)) {
-    counters.support_queries += solve->support_queries();
+    counters.support_queries += solve->pair().queries();
     answer.lower = solve->answer().bounds.lower();
     answer.upper = solve->answer().bounds.upper();
     answer.value = std::min(answer.upper, std::numeric_limits<double>::max());
