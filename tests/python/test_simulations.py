@@ -61,12 +61,11 @@ class Simulations(unittest.TestCase):
 
     def test_what_was_done_until_a_jam_is_kept(self):
         scene = rg.Scene(np.linspace(0, 0.3, 31))
-        pose = np.eye(4)
-        pose[2, 3] = 0.1
-        scene.add_body("ball", rg.Ball([0, 0, 0], 0.1), mass=1, pose=pose)
+        up = np.zeros((4, 4))
+        up[2, 3] = 1
+        scene.add_body("ball", rg.Ball([0, 0, 0], 0.1), mass=1, pose=np.eye(4) + 0.1 * up)
         scene.add_body("floor", rg.HalfSpace([0, 0, 1], 0))
-        pose[2, 3] = 0.32
-        scene.add_body("press", box(1, 1, 0.1), pose=pose, velocity=[0, 0, -0.5])
+        scene.add_body("press", box(1, 1, 0.1), pose=np.eye(4) + 0.32 * up, velocity=[0, 0, -0.5])
         scene.add_query(["clearance"], name="gap")
         with self.assertRaisesRegex(rg.SimulationError, "at 0.040000 s 'ball' is jammed by 'floor', 'press'") as raised:
             rg.simulate(scene, contact={"friction": 0.5}, step=3e-3)
