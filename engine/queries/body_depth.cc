@@ -12,7 +12,7 @@
 namespace raygauge {
 namespace {
 
-constexpr double kUp = 1 + 0x1p-52, kDown = 1 - 0x1p-52;
+constexpr double kUp = 1 + 0x1p-52;
 constexpr double kExact = 1e-14;  // the finest tolerance that distances are asked for
 
 // Without the ball that is added: of a capsule the segment, of a ball its centre. A ball inside core + r B is

@@ -85,6 +85,13 @@ class SceneAnswers(Columns):
     """
 
 
+def _kept(values: Any) -> Any:
+    """Arrays and lists as they are now: what the caller does with them later changes no scene. Sets never change."""
+    if isinstance(values, (list, tuple)):
+        return [_kept(value) for value in values]
+    return values.copy() if isinstance(values, np.ndarray) else values
+
+
 class Scene:
     """Bodies that move in R^2 or R^3 (or up to R^6 without turning), and questions about their pairs.
 
@@ -155,8 +162,9 @@ class Scene:
         for group in groups:
             self._groups.setdefault(group, []).append(len(self._bodies))
         self._bodies.append(
-            {"name": name, "parts": parts if is_list else [parts], "pose": pose, "times": times, "poses": poses,
-             "velocity": velocity, "acceleration": acceleration, "spin": spin, "density": density, "mass": mass, "inertia": inertia}
+            {"name": name, "parts": _kept(parts if is_list else [parts]), "pose": _kept(pose), "times": _kept(times), "poses": _kept(poses),
+             "velocity": _kept(velocity), "acceleration": _kept(acceleration), "spin": _kept(spin), "density": density, "mass": mass,
+             "inertia": _kept(inertia)}
         )  # fmt: skip
 
     def add_robot(
@@ -214,7 +222,7 @@ class Scene:
         groups = [everyone, everyone] if pair is None else [self._members(group) for group in pair]
         self._queries.append(
             {"name": name or f"query {len(self._queries) + 1}", "effects": list(effects), "group_1": groups[0],
-             "group_2": groups[1], "metric": metric, "metric_body": -1 if metric_body is None else self._members(metric_body)[0],
+             "group_2": groups[1], "metric": _kept(metric), "metric_body": -1 if metric_body is None else self._members(metric_body)[0],
              "within": within, "nearest": nearest, "tolerance": tolerance, "contact": contact,
              "clearance_tolerance": clearance_tolerance, "every_instant": every_instant}
         )  # fmt: skip

@@ -112,6 +112,16 @@ class Scenes(unittest.TestCase):
         self.assertAlmostEqual(found["distance"][0], direct.distance, delta=1e-5)
         self.assertAlmostEqual(found["distance"][0], 1.218, delta=1e-3)  # docs/scenes.md
 
+    def test_arrays_that_change_later_change_no_scene(self):
+        pose, points = np.eye(3), np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+        scene = rg.Scene()
+        for k in range(2):
+            pose[0, 2] = 3.0 * k
+            scene.add_body(f"triangle {k}", points, pose=pose)
+        points *= 10
+        scene.add_query(["distance"])
+        self.assertAlmostEqual(scene.run()["distance"][0], 2.0)
+
     def test_mistakes_are_exceptions_of_ours(self):
         scene = self.approach()
         for mistake in (
