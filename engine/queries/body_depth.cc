@@ -269,7 +269,7 @@ bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const 
                              BodyDepthAnswer& answer) {
   SpatialOracle oracle(pair_);
   const bool closed =
-      quick_.run_again(oracle, memory, {tolerance, 0, down(ball_lower_), up(ball_upper_)}, watch);
+      quick_.run_again(oracle, memory, {tolerance, 0, down(ball_lower_), up(ball_upper_), true}, watch);
   if (!closed) return false;
   source_ = Source::quick;
   take(quick_, false, answer);
@@ -291,7 +291,7 @@ void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
   source_ = Source::quick;
-  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper}, watch);
+  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper, true}, watch);
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
   PreciseOracle precise;

@@ -33,11 +33,13 @@ bool DepthSearch<Real>::closes(double lower) const {
       .close(goal_.tolerance * kDown);
 }
 
-// A gap that closes is less than what the bounds of one facet lose.
+// A gap that closes is less than what the bounds of one facet lose. A last search goes on until its own is
+// not more than that.
 template <class Real>
 bool DepthSearch<Real>::is_lost() const {
   constexpr double kLost = 16;
-  return goal_.tolerance * (upper_ + goal_.ball_upper) < kLost * oracle_->error();
+  const double least = kLost * oracle_->error();
+  return goal_.tolerance * (upper_ + goal_.ball_upper) < least && (goal_.is_first || upper_ - lower_ < least);
 }
 
 // The support point for u, of length 1 where it is a facet's normal, whose height may be a better upper

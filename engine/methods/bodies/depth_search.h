@@ -75,6 +75,7 @@ class DepthSearch {
     double tolerance = 1e-6;
     double floor = 0;  ///< proven: the depth of D is not below it
     double ball_lower = 0, ball_upper = 0;
+    bool is_first = false;  ///< what rounding hides is searched again in more precise arithmetic
   };
 
   DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch);

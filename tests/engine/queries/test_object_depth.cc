@@ -10,6 +10,7 @@
 #include "raygauge/sets/convex_set.h"
 #include "raygauge/sets/operations.h"
 #include "raygauge/sets/p_norm_ball.h"
+#include "raygauge/sets/polytopes.h"
 #include "tests/engine/queries/depth_cases.h"
 
 namespace raygauge::test_object_depth {
@@ -337,6 +338,29 @@ TEST(ObjectDepth, KeepsATimeLimit) {
   EXPECT_EQ(depth.status, DistanceStatus::time_limit);
   EXPECT_LE(depth.lower, 2);
   EXPECT_GE(depth.upper, 1.9);
+}
+
+// Of sets that are known by support points in doubles alone: what rounding hides is a part of 1e-13 of the
+// size.
+TEST(ObjectDepth, OfSetsWithoutCoresIsBoundedBelowAsFarAsRoundingLets) {
+  const auto box = std::make_shared<Box>(V(-1, -1, -1), V(1, 1, 1));
+  const MinkowskiSum sum(box, std::make_shared<Ball>(V(0, 0, 0), 0.125));
+  const Simplex corner(V(0.1, 0.2, 0.3), V(0.7, -0.9, 1.1));  // its vertices are no doubles
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, V(0, 0, 1)).toRotationMatrix();
+  ObjectDistanceSolver solver(options());
+  for (const double depth : {1e-6, 1e-7, 1e-8, 1e-9, 1e-11}) {
+    const Pose above(Eigen::MatrixXd(turn), V(0.1, 0.2, 2.125 - depth));
+    const Pose below(Eigen::MatrixXd(turn), V(0.2, 0, -0.7 + depth));
+    for (const ObjectDepth& found : {solver.solve({sum}, {*box, above}, euclidean(3), kAll).depth,
+                                     solver.solve({*box, below}, {corner}, euclidean(3), kAll).depth}) {
+      EXPECT_NEAR(found.lower, depth, 1e-12);
+      EXPECT_NEAR(found.upper, depth, 1e-12);
+      EXPECT_LE(found.lower, depth + 1e-15);
+      EXPECT_GE(found.upper, depth - 1e-15);
+      EXPECT_EQ(found.status == DistanceStatus::optimal,
+                found.upper - found.lower <= kTolerance * found.upper);
+    }
+  }
 }
 
 TEST(ObjectDepth, HasBoundsInLargerSpaces) {
