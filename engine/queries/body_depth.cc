@@ -321,8 +321,8 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
       search_again(tolerance, *start.polytope, watch, answer))
     return;
   if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
-  // Anew it takes longer than a search from the polytope of before.
-  if (start.pair == nullptr && leave_polytopes(tolerance, answer)) return;
+  // It leaves no polytope to go on from, which takes half as long.
+  if (!start.is_kept && leave_polytopes(tolerance, answer)) return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);
   if (may_be_apart && solve_apart(tolerance, start.pair, answer)) {
     answer.support_queries += pair_.queries();

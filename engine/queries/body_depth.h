@@ -33,6 +33,7 @@ inline double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high)
 struct DepthStart {
   const PairStart* pair = nullptr;
   const DepthMemory* polytope = nullptr;
+  bool is_kept = false;  ///< what is found will be asked of the next solve, too
 };
 
 /// The depth of two bodies by fixed-size code. Of both the cores and the radius r of the sum of their balls:

@@ -218,9 +218,11 @@ void Ladder::find_pose_gradient(const Ask& ask) {
 }
 
 void Ladder::find_depth(const Ask& ask) {
-  depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_,
-               has_depth_start_ ? DepthStart{&depth_start_, &ask.warm->polytope} : DepthStart{},
-               answer_.distance.seconds, answer_.depth);
+  DepthStart start;
+  if (has_depth_start_) start = {&depth_start_, &ask.warm->polytope};
+  start.is_kept = ask.warm != nullptr;
+  depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_, start, answer_.distance.seconds,
+               answer_.depth);
   if (ask.warm != nullptr && answer_.depth.evaluations > 0) depth_.record(answer_.depth, *ask.warm);
 }
 
