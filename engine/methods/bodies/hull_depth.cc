@@ -120,8 +120,8 @@ class HullDepth::SearchIn final : public Search {
   void queue_new_facets();
   const Entry& least();
   bool is_done() const { return Bounds(lower_, upper_).close(tolerance_ * kDown); }
-  // A gap that closes is less than what the bounds of one facet lose.
-  bool is_lost() const { return tolerance_ * upper_ * height_ < kLost * error_; }
+  // A gap that closes is less than what the bounds of one facet lose, and so is the one that is left.
+  bool is_lost() const { return std::max(tolerance_ * upper_, upper_ - lower_) * height_ < kLost * error_; }
   DepthEnd expand(const Stopwatch& watch);
   bool weights(const HullFacet<N>& facet, const Array& u, double outside, Array& weight) const;
 

@@ -363,6 +363,23 @@ TEST(ObjectDepth, OfSetsWithoutCoresIsBoundedBelowAsFarAsRoundingLets) {
   }
 }
 
+TEST(ObjectDepth, InUpToSixDimensionsIsBoundedBelowAsFarAsRoundingLets) {
+  ObjectDistanceSolver solver(options());
+  for (const int n : {4, 5, 6}) {
+    const Box A(-Vector::Ones(n), Vector::Ones(n));
+    const PointSet B(cube_vertices(n));
+    Eigen::MatrixXd turn = Eigen::MatrixXd::Identity(n, n);
+    turn.topLeftCorner(2, 2) = Eigen::Rotation2Dd(0.4).toRotationMatrix();
+    for (const double depth : {1e-6, 1e-8, 1e-9, 1e-11}) {
+      Vector t = Vector::Constant(n, 0.1);
+      t[n - 1] = 2 - depth;
+      const ObjectDepth& found = solver.solve({A}, {B, Pose(turn, t)}, euclidean(n), kAll).depth;
+      EXPECT_NEAR(found.lower, depth, 1e-12) << n;
+      EXPECT_NEAR(found.upper, depth, 1e-12) << n;
+    }
+  }
+}
+
 TEST(ObjectDepth, HasBoundsInLargerSpaces) {
   ObjectDistanceSolver solver(options());
   const Box A(Vector::Zero(7), Vector::Ones(7)), B(Vector::Constant(7, 0.75), Vector::Constant(7, 3));
