@@ -139,6 +139,7 @@ class SimulateJob {
     writer_->finish();
     store_->clear();
     if (!arguments_.quiet) print_end();
+    if (!ended_by_.empty()) throw Error(ended_by_);
     return kAnswered;
   }
 
@@ -153,17 +154,33 @@ class SimulateJob {
       dynamics.step = wanted.accuracy.step;
       dynamics.tolerance = wanted.accuracy.tolerance;
       double seconds = 0;
-      Simulation found = simulate_one(dynamics, wanted.engine, number, hooks_of(display, number), seconds);
+      Simulation found = until_end(dynamics, wanted.engine, number, hooks_of(display, number), seconds);
       if (found.stopped) return false;
       moved_at_start_ = std::max(moved_at_start_, found.moved_at_start);
       add_simulation(found, dynamics, seconds, wanted.engine, tables);
       moved = std::move(found.scene);
+      if (!ended_by_.empty()) break;
     }
-    compare_with_finest(tables);
+    if (ended_by_.empty()) compare_with_finest(tables);
     source_.scene = std::move(moved);
     plan_ = plan_scene(source_.scene);
     writer_->set_simulated(std::move(tables), drawing_of(source_.scene), plan_.cells.size());
     return true;
+  }
+
+  // Or until it cannot go on: what is done by then is stored and answered as if it were all.
+  Simulation until_end(const Dynamics& dynamics, const std::string& engine, std::int32_t number,
+                       const SimulationHooks& hooks, double& seconds) {
+    try {
+      return simulate_one(dynamics, engine, number, hooks, seconds);
+    } catch (const SimulationError& error) {
+      if (error.done().steps.empty()) {
+        store_->clear();
+        throw;
+      }
+      ended_by_ = error.what();
+      return error.done();
+    }
   }
 
   // Steps of other engines are taken anew by a session that goes on.
@@ -237,6 +254,7 @@ class SimulateJob {
   ScenePlan plan_;
   bool finished_ = false;  ///< before this session
   double moved_at_start_ = 0;
+  std::string ended_by_;  ///< why a simulation could not go on
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double shown_ = 0;  ///< when progress was shown last
 };

@@ -454,6 +454,23 @@ class Scenes(SceneProgram):
         subprocess.run([*command, cut, "--resume"], check=True)  # nothing is left to do
         self.assertEqual(self.tables(whole), self.tables(cut))
 
+    def test_what_was_simulated_until_a_jam_is_in_the_file(self):
+        scene, results = self.work / "press.toml", self.work / "press.h5"
+        body = '[[body]]\nname = "{}"\nshape = {{ shape = {} }}\n{}\n'
+        scene.write_text(
+            "[time]\nto = 0.3\ninstants = 31\n[dynamics]\ncontact = { friction = 0.5 }\nstep = 3e-3\n"
+            + body.format("b'a\\\"l\\nl", '"ball", center = [0, 0, 0.1], radius = 0.1', "mass = 1")
+            + body.format("floor", '"half_space", normal = [0, 0, 1], offset = 0', "")
+            + body.format("press", '"box", lower = [-1, -1, 0.22], upper = [1, 1, 0.42]', "motion = { velocity = [0, 0, -0.5] }")
+            + '[[query]]\neffects = ["distance"]\n')
+        done = self.run_raygauge("scene", "simulate", scene, "-o", results, "-q", status=2)
+        self.assertRegex(done.stderr, "^raygauge: simulation: at 0.040000 s .* is jammed by 'floor', 'press'[^\n]*\n$")
+        rows = list(csv.DictReader(io.StringIO(self.run_raygauge("export", results, "--csv", "-").stdout)))
+        self.assertAlmostEqual(float(rows[-1]["time"]), 0.039)
+        self.assertEqual((len(rows), rows[0]["body"]), (3 * 5, "b'a\"l\nl"))
+        self.run_raygauge("report", results, "-o", self.work / "press.html")
+        self.assertFalse(pathlib.Path(str(results) + ".parts").exists())
+
     def test_an_interrupted_simulation_ends_at_once_and_goes_on(self):
         whole, cut = self.work / "whole_heap2.h5", self.work / "interrupted.h5"
         command = [self.raygauge, "scene", "simulate", str(self.heap()), "--step", "2e-3", "-o"]
