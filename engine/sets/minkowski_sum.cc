@@ -14,4 +14,14 @@ MinkowskiSum::MinkowskiSum(std::shared_ptr<const ConvexSet> A, std::shared_ptr<c
   look_at({.S = A_.get(), .T = B_.get()});
 }
 
+MinkowskiDifference::MinkowskiDifference(std::shared_ptr<const ConvexSet> A2,
+                                         std::shared_ptr<const ConvexSet> A1)
+    : MinkowskiView(checked_set("Minkowski difference", "A2", A2)->dimension()),
+      A2_(std::move(A2)),
+      A1_(std::move(A1)) {
+  check_dimension("Minkowski difference", "A1", checked_set("Minkowski difference", "A1", A1_)->dimension(),
+                  dimension());
+  look_at({.S = A2_.get(), .T = A1_.get(), .sign = -1.0});
+}
+
 }  // namespace raygauge
