@@ -12,9 +12,10 @@ namespace raygauge {
 
 GrowthBody::GrowthBody(const ConvexSet& A, const TwofoldPoint& c_A, const ConvexSet& Q,
                        const TwofoldPoint& c_Q, bool c_Q_in_Q)
-    : MinkowskiView(A.dimension()), c_A_(c_A.high), c_Q_(c_Q.high), c_Q_in_Q_(c_Q_in_Q) {
-  look_at({.S = &Q, .T = &A, .sign = -1.0, .a = c_A, .b = c_Q});
-}
+    : MinkowskiView({.S = &Q, .T = &A, .sign = -1.0, .a = c_A, .b = c_Q}),
+      c_A_(c_A.high),
+      c_Q_(c_Q.high),
+      c_Q_in_Q_(c_Q_in_Q) {}
 
 void GrowthBody::do_center(double* point) const { std::fill_n(point, dimension(), 0.0); }
 

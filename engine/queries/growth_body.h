@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "raygauge/sets/operations.h"
+#include "engine/sets/minkowski_view.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {

@@ -8,6 +8,7 @@
 
 #include "engine/numerics/decompositions.h"
 #include "engine/sets/bounded_inverse.h"
+#include "engine/sets/linear_image.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/pose.h"
@@ -55,7 +56,7 @@ LinearMap make_map(const double* M, const double* t, int n) noexcept {
 
 AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<const Eigen::MatrixXd>& M,
                          const ConstVectorRef& t)
-    : LinearImage(checked_set("affine image", "S", S)->dimension()),
+    : CombinedSet(checked_set("affine image", "S", S)->dimension()),
       S_(std::move(S)),
       M_(M),
       t_(checked_finite("affine image", "t", t)) {
@@ -67,7 +68,7 @@ AffineImage::AffineImage(std::shared_ptr<const ConvexSet> S, const Eigen::Ref<co
   inverse_ = std::make_shared<const BoundedInverse>(M_);
   LinearMap map = make_map(M_.data(), t_.data(), dimension());
   map.inverse = inverse_.get();
-  look_at(*S_, map);
+  set_view(std::make_unique<LinearImage>(*S_, map));
 }
 
 std::shared_ptr<const AffineImage> AffineImage::rigid(std::shared_ptr<const ConvexSet> S,

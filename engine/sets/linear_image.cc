@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/operations.h"
+#include "engine/sets/linear_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,21 +169,13 @@ double LinearImage::do_inner_radius(const double* c) const {
   return radius > 0 ? radius * least_stretch(map_) * kRoundedDown : 0.0;
 }
 
-const SmoothSupport* LinearImage::do_smooth() const noexcept {
-  return S_->smooth() != nullptr ? this : nullptr;
+bool LinearImage::has_flat_faces() const noexcept { return S_->flat_faces() != nullptr && has_inverse(map_); }
+
+bool LinearImage::has_gauge() const noexcept {
+  return S_->gauge() != nullptr && has_inverse(map_) && !is_translated(map_);
 }
 
-const FlatFaces* LinearImage::do_flat_faces() const noexcept {
-  return S_->flat_faces() != nullptr && has_inverse(map_) ? this : nullptr;
-}
-
-const GaugeFormula* LinearImage::do_gauge_formula() const noexcept {
-  return S_->gauge() != nullptr && has_inverse(map_) && !is_translated(map_) ? this : nullptr;
-}
-
-const CoordinateSymmetry* LinearImage::do_symmetry() const noexcept {
-  return map_.exchanges_axes && S_->symmetry() != nullptr ? this : nullptr;
-}
+bool LinearImage::has_symmetry() const noexcept { return map_.exchanges_axes && S_->symmetry() != nullptr; }
 
 template <class Real>
 void LinearImage::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
@@ -211,17 +203,9 @@ void LinearImage::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, i
   }
 }
 
-void LinearImage::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
-}
-
-void LinearImage::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
-}
-
 // A direction u of the image is Mᵀu for S.
 template <class Real>
-bool LinearImage::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
+bool LinearImage::find_normal(const Real* u, const Real* v, Real* normal) const {
   const int n = dimension();
   BasicScratch<Real> from(n), to(n), inner(n);
   map_back(map_, u, from.data());
@@ -233,7 +217,7 @@ bool LinearImage::find_facet_normal(const Real* u, const Real* v, Real* normal) 
 
 // Nearest before the map, not after it.
 template <class Real>
-void LinearImage::find_facet_point(const Real* normal, const Real* target, Real* point) const {
+void LinearImage::find_point(const Real* normal, const Real* target, Real* point) const {
   const int n = dimension();
   BasicScratch<Real> inner_normal(n), shifted(n), inner(n);
   map_back(map_, normal, inner_normal.data());
@@ -242,22 +226,6 @@ void LinearImage::find_facet_point(const Real* normal, const Real* target, Real*
   S_->flat_faces()->point(inner_normal.data(), inner.data(), shifted.data());
   map_linearly(map_, shifted.data(), 1, point);
   for (int k = 0; k < n; ++k) point[k] += map_.t[k];
-}
-
-bool LinearImage::do_facet_normal(const double* u, const double* v, double* normal) const {
-  return find_facet_normal(u, v, normal);
-}
-
-bool LinearImage::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
-  return find_facet_normal(u, v, normal);
-}
-
-void LinearImage::do_facet_point(const double* normal, const double* target, double* point) const {
-  find_facet_point(normal, target, point);
-}
-
-void LinearImage::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
-  find_facet_point(normal, target, point);
 }
 
 // gauge_S(M⁻¹x) <= gauge_S(y) + |M⁻¹x - y|/R_S, R_S the radius of a ball around the origin inside S.
@@ -323,5 +291,12 @@ bool LinearImage::do_is_unconditional(double* extent) const {
   }
   return true;
 }
+
+template void LinearImage::list_pieces(const double*, SupportPieces&, int) const;
+template void LinearImage::list_pieces(const Quad*, QuadSupportPieces&, int) const;
+template bool LinearImage::find_normal(const double*, const double*, double*) const;
+template bool LinearImage::find_normal(const Quad*, const Quad*, Quad*) const;
+template void LinearImage::find_point(const double*, const double*, double*) const;
+template void LinearImage::find_point(const Quad*, const Quad*, Quad*) const;
 
 }  // namespace raygauge

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "raygauge/sets/operations.h"
+#include "engine/sets/minkowski_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,20 +133,6 @@ void add_normals(int n, Real* normal, Real* of_T) {
   for (int k = 0; k < n; ++k) normal[k] += of_T[k];
 }
 
-template <class Real>
-bool find_facet_normal(const ShiftedSum& sum, const Real* u, const Real* v, Real* normal) {
-  const int n = sum.S->dimension();
-  if (facet_normal(*sum.S, u, v, normal)) return true;
-  BasicScratch<Real> from(n), to(n);
-  for (int k = 0; k < n; ++k) {
-    from.data()[k] = sum.sign * u[k];
-    to.data()[k] = sum.sign * v[k];
-  }
-  if (!facet_normal(*sum.T, from.data(), to.data(), normal)) return false;
-  for (int k = 0; k < n; ++k) normal[k] *= sum.sign;
-  return true;
-}
-
 }  // namespace
 
 double MinkowskiView::do_support(const double* u, double* point) const {
@@ -199,22 +185,18 @@ double MinkowskiView::do_inner_radius(const double* c) const {
   return radius > 0 ? proven_length(radius, radius + size, n) : 0.0;
 }
 
-const SmoothSupport* MinkowskiView::do_smooth() const noexcept {
-  return sum_.S->smooth() != nullptr && sum_.T->smooth() != nullptr ? this : nullptr;
+bool MinkowskiView::has_flat_faces() const noexcept {
+  return sum_.S->flat_faces() != nullptr || sum_.T->flat_faces() != nullptr;
 }
 
-const FlatFaces* MinkowskiView::do_flat_faces() const noexcept {
-  return sum_.S->flat_faces() != nullptr || sum_.T->flat_faces() != nullptr ? this : nullptr;
-}
-
-const GaugeFormula* MinkowskiView::do_gauge_formula() const noexcept {
+bool MinkowskiView::has_gauge() const noexcept {
   const bool first = sum_.S->gauge() != nullptr, second = sum_.T->gauge() != nullptr;
-  if (first && second && !is_shifted(sum_)) return this;
-  return (first && is_first_alone(sum_)) || (second && is_second_alone(sum_)) ? this : nullptr;
+  if (first && second && !is_shifted(sum_)) return true;
+  return (first && is_first_alone(sum_)) || (second && is_second_alone(sum_));
 }
 
-const CoordinateSymmetry* MinkowskiView::do_symmetry() const noexcept {
-  return sum_.S->symmetry() != nullptr || sum_.T->symmetry() != nullptr ? this : nullptr;
+bool MinkowskiView::has_symmetry() const noexcept {
+  return sum_.S->symmetry() != nullptr || sum_.T->symmetry() != nullptr;
 }
 
 template <class Real>
@@ -229,17 +211,6 @@ int MinkowskiView::pieces_with_parts(const Real* u, BasicSupportPieces<Real>& pi
     }
   }
   return count;
-}
-
-template int MinkowskiView::pieces_with_parts(const double*, SupportPieces&, int, double*) const;
-template int MinkowskiView::pieces_with_parts(const Quad*, QuadSupportPieces&, int, Quad*) const;
-
-void MinkowskiView::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  pieces_with_parts<double>(u, pieces, capacity, nullptr);
-}
-
-void MinkowskiView::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
-  pieces_with_parts<Quad>(u, pieces, capacity, nullptr);
 }
 
 // s + t with s on the face of S and t on that of T, each as near to what the other leaves as can be; a set
@@ -264,24 +235,23 @@ bool MinkowskiView::facet_point_with_part(const Real* normal, const Real* target
   return true;
 }
 
-template bool MinkowskiView::facet_point_with_part(const double*, const double*, double*, double*) const;
-template bool MinkowskiView::facet_point_with_part(const Quad*, const Quad*, Quad*, Quad*) const;
-
-bool MinkowskiView::do_facet_normal(const double* u, const double* v, double* normal) const {
-  return find_facet_normal(sum_, u, v, normal);
+template <class Real>
+bool MinkowskiView::find_normal(const Real* u, const Real* v, Real* normal) const {
+  const int n = dimension();
+  if (facet_normal(*sum_.S, u, v, normal)) return true;
+  BasicScratch<Real> from(n), to(n);
+  for (int k = 0; k < n; ++k) {
+    from.data()[k] = sum_.sign * u[k];
+    to.data()[k] = sum_.sign * v[k];
+  }
+  if (!facet_normal(*sum_.T, from.data(), to.data(), normal)) return false;
+  for (int k = 0; k < n; ++k) normal[k] *= sum_.sign;
+  return true;
 }
 
-bool MinkowskiView::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
-  return find_facet_normal(sum_, u, v, normal);
-}
-
-void MinkowskiView::do_facet_point(const double* normal, const double* target, double* point) const {
-  Scratch of_T(dimension());
-  facet_point_with_part(normal, target, point, of_T.data());
-}
-
-void MinkowskiView::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
-  BasicScratch<Quad> of_T(dimension());
+template <class Real>
+void MinkowskiView::find_point(const Real* normal, const Real* target, Real* point) const {
+  BasicScratch<Real> of_T(dimension());
   facet_point_with_part(normal, target, point, of_T.data());
 }
 
@@ -337,7 +307,7 @@ bool MinkowskiView::do_summands(const double* u, double* reach, double* change) 
   for (const ConvexSet* operand : {sum_.S, sum_.T}) {
     const double sign = operand == sum_.S ? 1.0 : sum_.sign;
     for (int k = 0; k < n; ++k) along.data()[k] = sign * u[k];
-    const CoordinateSymmetry* symmetry = operand->symmetry();
+    const auto* symmetry = operand->symmetry();
     if (symmetry == nullptr || !symmetry->summands(along.data(), part.data(), change_of_part.data()))
       continue;
     any = true;
@@ -348,5 +318,14 @@ bool MinkowskiView::do_summands(const double* u, double* reach, double* change) 
   }
   return any;
 }
+
+template int MinkowskiView::pieces_with_parts(const double*, SupportPieces&, int, double*) const;
+template int MinkowskiView::pieces_with_parts(const Quad*, QuadSupportPieces&, int, Quad*) const;
+template bool MinkowskiView::facet_point_with_part(const double*, const double*, double*, double*) const;
+template bool MinkowskiView::facet_point_with_part(const Quad*, const Quad*, Quad*, Quad*) const;
+template bool MinkowskiView::find_normal(const double*, const double*, double*) const;
+template bool MinkowskiView::find_normal(const Quad*, const Quad*, Quad*) const;
+template void MinkowskiView::find_point(const double*, const double*, double*) const;
+template void MinkowskiView::find_point(const Quad*, const Quad*, Quad*) const;
 
 }  // namespace raygauge

@@ -12,9 +12,8 @@
 namespace raygauge {
 
 ObjectPair::ObjectPair(const ConvexSet& A2, const ConvexSet& A1, bool keeps_parts)
-    : MinkowskiView(A2.dimension()) {
+    : MinkowskiView({.S = &A2, .T = &A1, .sign = -1.0, .keeps_parts = keeps_parts}) {
   check_dimension("object distance", "A1", A1.dimension(), dimension());
-  look_at({.S = &A2, .T = &A1, .sign = -1.0, .keeps_parts = keeps_parts});
 }
 
 void SupportPairs::begin(const ObjectPair& pair) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/numerics/aligned_buffer.h"
-#include "raygauge/sets/operations.h"
+#include "engine/sets/minkowski_view.h"
 
 namespace raygauge {
 
@@ -16,9 +16,6 @@ class ObjectPair final : public MinkowskiView {
 
   const ConvexSet& A2() const noexcept { return *sum().S; }
   const ConvexSet& A1() const noexcept { return *sum().T; }
-
- private:
-  friend class SupportPairs;
 };
 
 /// Asks an ObjectPair in place of a solver, with the same answers, and notes the point a1 of A1 in each point

@@ -5,8 +5,9 @@
 #include "engine/sets/parameters.h"
 
 namespace raygauge {
+namespace {
 
-PosedView::PosedView(const ConvexSet& S, const Pose& pose) : LinearImage(S.dimension()) {
+LinearMap map_of(const ConvexSet& S, const Pose& pose) {
   check_dimension("pose", "its rotation", pose.dimension(), S.dimension());
   LinearMap map;
   map.n = S.dimension();
@@ -14,7 +15,11 @@ PosedView::PosedView(const ConvexSet& S, const Pose& pose) : LinearImage(S.dimen
   map.t = pose.translation_data();
   map.defect = pose.defect();
   map.exchanges_axes = map.reverses_axes = pose.is_axis_exchange();
-  look_at(S, map);
+  return map;
 }
+
+}  // namespace
+
+PosedView::PosedView(const ConvexSet& S, const Pose& pose) : LinearImage(S, map_of(S, pose)) {}
 
 }  // namespace raygauge

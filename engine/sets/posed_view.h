@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "raygauge/sets/operations.h"
+#include "engine/sets/linear_image.h"
 #include "raygauge/sets/pose.h"
 
 namespace raygauge {

@@ -4,35 +4,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/capability_queries.h"
+#include "engine/sets/combined_view.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {
 namespace {
 
-int dimension_of_first(const std::vector<std::shared_ptr<const ConvexSet>>& sets) {
+using Sets = std::span<const std::shared_ptr<const ConvexSet>>;
+
+class UnionView final : public CombinedView<UnionView> {
+ public:
+  explicit UnionView(Sets sets) : CombinedView(sets.front()->dimension()), sets_(sets) {}
+
+  bool is_smooth() const noexcept;
+  bool has_flat_faces() const noexcept;
+  bool has_gauge() const noexcept;
+  bool has_symmetry() const noexcept;
+  template <class Real>
+  void list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const;
+  template <class Real>
+  bool find_normal(const Real* u, const Real* v, Real* normal) const;
+  template <class Real>
+  void find_point(const Real* normal, const Real* target, Real* point) const;
+
+ private:
+  double do_support(const double* u, double* point) const override;
+  void do_center(double* point) const override;
+  void do_magnitude(double* magnitude) const override;
+  double do_inner_radius(const double* c) const override;
+  SupportStructure do_structure() const noexcept override;
+  double do_gauge(const double* x, double* normal) const override;
+  bool do_quad_gauge_normal(const Quad* x, Quad* normal) const override;
+  bool do_touches_origin(double* u) const override;
+  bool do_is_unconditional(double* extent) const override;
+
+  template <class Real>
+  const ConvexSet& outermost(const Real* u) const;
+
+  Sets sets_;
+};
+
+int dimension_of_first(Sets sets) {
   if (sets.empty()) throw EmptySetError("hull of a union: needs at least one set");
   return checked_set("hull of a union", "set 0", sets.front())->dimension();
 }
 
-}  // namespace
-
-UnionHull::UnionHull(std::vector<std::shared_ptr<const ConvexSet>> sets)
-    : ConvexSet(dimension_of_first(sets)), sets_(std::move(sets)) {
-  for (std::size_t i = 1; i < sets_.size(); ++i) {
-    const std::string name = "set " + std::to_string(i);
-    check_dimension("hull of a union", name, checked_set("hull of a union", name, sets_[i])->dimension(),
-                    dimension());
-  }
-}
-
-double UnionHull::do_support(const double* u, double* point) const {
+double UnionView::do_support(const double* u, double* point) const {
   Scratch other(dimension());
   double best = sets_.front()->support_unchecked(u, point);
   for (std::size_t i = 1; i < sets_.size(); ++i) {
@@ -45,7 +71,7 @@ double UnionHull::do_support(const double* u, double* point) const {
   return best;
 }
 
-void UnionHull::do_center(double* point) const {
+void UnionView::do_center(double* point) const {
   Scratch one(dimension());
   const auto count = static_cast<double>(sets_.size());
   std::fill_n(point, dimension(), 0.0);
@@ -55,7 +81,7 @@ void UnionHull::do_center(double* point) const {
   }
 }
 
-void UnionHull::do_magnitude(double* magnitude) const {
+void UnionView::do_magnitude(double* magnitude) const {
   Scratch one(dimension());
   std::fill_n(magnitude, dimension(), 0.0);
   for (const auto& set : sets_) {
@@ -64,40 +90,40 @@ void UnionHull::do_magnitude(double* magnitude) const {
   }
 }
 
-double UnionHull::do_inner_radius(const double* c) const {
+double UnionView::do_inner_radius(const double* c) const {
   double radius = 0;
   for (const auto& set : sets_) radius = std::max(radius, set->inner_radius_unchecked(c));
   return radius;
 }
 
-SupportStructure UnionHull::do_structure() const noexcept {
+SupportStructure UnionView::do_structure() const noexcept {
   SupportStructure hull = sets_.front()->structure();
   for (const auto& set : sets_) hull = structure_of_sum(hull, set->structure());
   return hull == SupportStructure::point ? SupportStructure::polytope : hull;
 }
 
-const SmoothSupport* UnionHull::do_smooth() const noexcept {
+bool UnionView::is_smooth() const noexcept {
   const auto has = [](const auto& set) { return set->smooth() != nullptr; };
-  return std::all_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+  return std::all_of(sets_.begin(), sets_.end(), has);
 }
 
-const FlatFaces* UnionHull::do_flat_faces() const noexcept {
+bool UnionView::has_flat_faces() const noexcept {
   const auto has = [](const auto& set) { return set->flat_faces() != nullptr; };
-  return std::any_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+  return std::any_of(sets_.begin(), sets_.end(), has);
 }
 
-const GaugeFormula* UnionHull::do_gauge_formula() const noexcept {
+bool UnionView::has_gauge() const noexcept {
   const auto has = [](const auto& set) { return set->gauge() != nullptr; };
-  return std::any_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+  return std::any_of(sets_.begin(), sets_.end(), has);
 }
 
-const CoordinateSymmetry* UnionHull::do_symmetry() const noexcept {
+bool UnionView::has_symmetry() const noexcept {
   const auto has = [](const auto& set) { return set->symmetry() != nullptr; };
-  return std::all_of(sets_.begin(), sets_.end(), has) ? this : nullptr;
+  return std::all_of(sets_.begin(), sets_.end(), has);
 }
 
 template <class Real>
-void UnionHull::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
+void UnionView::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int capacity) const {
   for (const auto& set : sets_) {
     const int before = pieces.count;
     BasicSupportPieces<Real> more = pieces.rest(before);
@@ -113,17 +139,9 @@ void UnionHull::list_pieces(const Real* u, BasicSupportPieces<Real>& pieces, int
   }
 }
 
-void UnionHull::do_support_pieces(const double* u, SupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
-}
-
-void UnionHull::do_quad_pieces(const Quad* u, QuadSupportPieces& pieces, int capacity) const {
-  list_pieces(u, pieces, capacity);
-}
-
 // The set that reaches farthest in direction u, which need not be more than a double.
 template <class Real>
-const ConvexSet& UnionHull::outermost(const Real* u) const {
+const ConvexSet& UnionView::outermost(const Real* u) const {
   const int n = dimension();
   Scratch direction(n), point(n);
   for (int k = 0; k < n; ++k) direction.data()[k] = static_cast<double>(u[k]);
@@ -141,36 +159,24 @@ const ConvexSet& UnionHull::outermost(const Real* u) const {
 
 // A flat face of one of the sets is one of the hull if no other set reaches beyond it.
 template <class Real>
-bool UnionHull::find_facet_normal(const Real* u, const Real* v, Real* normal) const {
+bool UnionView::find_normal(const Real* u, const Real* v, Real* normal) const {
   return std::any_of(sets_.begin(), sets_.end(), [&](const auto& set) {
     return facet_normal(*set, u, v, normal) && &outermost(normal) == set.get();
   });
 }
 
-bool UnionHull::do_facet_normal(const double* u, const double* v, double* normal) const {
-  return find_facet_normal(u, v, normal);
-}
-
-bool UnionHull::do_quad_facet_normal(const Quad* u, const Quad* v, Quad* normal) const {
-  return find_facet_normal(u, v, normal);
-}
-
-void UnionHull::do_facet_point(const double* normal, const double* target, double* point) const {
+template <class Real>
+void UnionView::find_point(const Real* normal, const Real* target, Real* point) const {
   const ConvexSet& set = outermost(normal);
   if (set.flat_faces() != nullptr) {
     set.flat_faces()->point(normal, target, point);
-  } else {
+  } else if constexpr (std::is_same_v<Real, double>) {
     set.support_unchecked(normal, point);
   }
 }
 
-void UnionHull::do_quad_facet_point(const Quad* normal, const Quad* target, Quad* point) const {
-  const ConvexSet& set = outermost(normal);
-  if (set.flat_faces() != nullptr) set.flat_faces()->point(normal, target, point);
-}
-
 // The least bound: what is in tS_i is in the t-fold hull.
-double UnionHull::do_gauge(const double* x, double* normal) const {
+double UnionView::do_gauge(const double* x, double* normal) const {
   const int n = dimension();
   Scratch other(n);
   double least = kInfinity;
@@ -184,7 +190,7 @@ double UnionHull::do_gauge(const double* x, double* normal) const {
 }
 
 // Of the set with the least gauge, v·x/h(v) for its normal v at x, as far as doubles tell.
-bool UnionHull::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
+bool UnionView::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
   const int n = dimension();
   BasicScratch<Quad> v(n);
   Scratch direction(n), point(n);
@@ -203,7 +209,7 @@ bool UnionHull::do_quad_gauge_normal(const Quad* x, Quad* normal) const {
 }
 
 // With a normal u of one set, if all others touch the origin with the same, or have u·x < 0 throughout.
-bool UnionHull::do_touches_origin(double* u) const {
+bool UnionView::do_touches_origin(double* u) const {
   const int n = dimension();
   Scratch other(n), magnitude(n);
   const auto first = std::find_if(sets_.begin(), sets_.end(),
@@ -221,7 +227,7 @@ bool UnionHull::do_touches_origin(double* u) const {
 }
 
 // About a common centre; any of the sets may be the one that reaches farthest.
-bool UnionHull::do_is_unconditional(double* extent) const {
+bool UnionView::do_is_unconditional(double* extent) const {
   const int n = dimension();
   Scratch first(n), center(n), one(n);
   do_center(center.data());
@@ -239,6 +245,18 @@ bool UnionHull::do_is_unconditional(double* extent) const {
     extent[k] -= away + 4 * kUnitRoundoff * (away + std::fabs(extent[k]));
   }
   return true;
+}
+
+}  // namespace
+
+UnionHull::UnionHull(std::vector<std::shared_ptr<const ConvexSet>> sets)
+    : CombinedSet(dimension_of_first(sets)), sets_(std::move(sets)) {
+  for (std::size_t i = 1; i < sets_.size(); ++i) {
+    const std::string name = "set " + std::to_string(i);
+    check_dimension("hull of a union", name, checked_set("hull of a union", name, sets_[i])->dimension(),
+                    dimension());
+  }
+  set_view(std::make_unique<UnionView>(sets_));
 }
 
 }  // namespace raygauge
