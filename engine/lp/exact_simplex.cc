@@ -63,13 +63,13 @@ ExactSimplex::End ExactSimplex::solve(const Points& A, const Points& Q, std::spa
   const auto size = static_cast<std::size_t>(m_);
   column_.resize(size);
   Y_.resize(size);
-  phase_ = Phase::reach;
+  phase_ = SimplexPhase::reach;
   start_from(start);
   if (deadline_.was_over()) return End::stopped;
   basis_.make_nonnegative();
   basis_.perturb();
-  if (basis_.has_reached()) phase_ = Phase::optimise;
-  return run();
+  if (basis_.has_reached()) phase_ = SimplexPhase::optimise;
+  return run_phases(*this, pivots_ + pivot_limit(m_));
 }
 
 double ExactSimplex::expected_seconds(int n, double bits) noexcept {
@@ -87,46 +87,34 @@ void ExactSimplex::start_from(std::span<const std::int64_t> start) {
     form_column(id);
     basis_.transform(column_, deadline_);
     if (deadline_.was_over()) return;
-    if (const int row = basis_.free_row(); row >= 0) enter(row, id);
+    if (const int row = basis_.free_row(); row >= 0) replace(row, id);
   }
 }
 
-void ExactSimplex::enter(int row, std::int64_t id) {
+bool ExactSimplex::enter(std::int64_t id) {
+  form_column(id);
+  basis_.transform(column_, deadline_);
+  if (deadline_.was_over()) return false;
+  const int row = basis_.leaving_row(phase_ == SimplexPhase::optimise);
+  // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
+  const bool out_of_turn = basis_.is_artificial(row);
+  if (!replace(row, id)) return false;
+  if (out_of_turn) basis_.perturb();
+  return true;
+}
+
+bool ExactSimplex::replace(int row, std::int64_t id) {
   basis_.replace(row, id, deadline_);
-  if (!deadline_.was_over()) ++pivots_;
-}
-
-ExactSimplex::End ExactSimplex::run() {
-  const std::int64_t limit = pivots_ + pivot_limit(m_);
-  for (;;) {
-    compute_duals();
-    const Candidate entering = price();
-    if (deadline_.is_over()) return End::stopped;
-    if (entering.id < 0) {
-      if (phase_ == Phase::optimise) return End::solved;
-      if (!basis_.has_reached()) return End::unreachable;
-      phase_ = Phase::optimise;
-      continue;
-    }
-    if (pivots_ >= limit) return End::stopped;
-    form_column(entering.id);
-    basis_.transform(column_, deadline_);
-    if (deadline_.was_over()) return End::stopped;
-    const int row = basis_.leaving_row(phase_ == Phase::optimise);
-    // Artificial variables leave out of turn, at most m times; after that the perturbation starts anew.
-    const bool out_of_turn = basis_.is_artificial(row);
-    enter(row, entering.id);
-    if (deadline_.was_over()) return End::stopped;
-    if (out_of_turn) basis_.perturb();
-    if (phase_ == Phase::reach && basis_.has_reached()) phase_ = Phase::optimise;
-  }
+  if (deadline_.was_over()) return false;
+  ++pivots_;
+  return true;
 }
 
 // Y = D y: the rows of M whose variables cost 1.
 void ExactSimplex::compute_duals() {
   for (BigInteger& y : Y_) y.clear();
   for (int i = 0; i < m_; ++i) {
-    const bool costs = phase_ == Phase::optimise ? basis_.is_from_Q(i) : basis_.is_artificial(i);
+    const bool costs = phase_ == SimplexPhase::optimise ? basis_.is_from_Q(i) : basis_.is_artificial(i);
     if (costs) basis_.add_row(i, Y_);
   }
 }
@@ -155,7 +143,7 @@ void ExactSimplex::aim(bool from_Q, Direction& direction) const {
   if (!from_Q) {
     constant = Y_[size].approximate();
     constant.mantissa = -constant.mantissa;
-  } else if (phase_ == Phase::optimise) {
+  } else if (phase_ == SimplexPhase::optimise) {
     constant = basis_.D().approximate();
   }
   std::int64_t largest =
@@ -179,11 +167,12 @@ void ExactSimplex::aim(bool from_Q, Direction& direction) const {
   direction.constant = scaled(constant.mantissa, constant.exponent - largest);
 }
 
-ExactSimplex::Candidate ExactSimplex::price() {
+std::int64_t ExactSimplex::price() {
+  compute_duals();
   Candidate best;
   price_set(A_, false, best);
   price_set(Q_, true, best);
-  return best;
+  return best.id;
 }
 
 // Dantzig: the most negative reduced cost.
@@ -209,7 +198,7 @@ void ExactSimplex::price_set(const Points& points, bool from_Q, Candidate& best)
 int ExactSimplex::exact_reduced_cost_sign(std::int64_t id) {
   form_column(id);
   BigInteger sum, product;
-  if (is_from_Q(id) && phase_ == Phase::optimise) sum = basis_.D();
+  if (is_from_Q(id) && phase_ == SimplexPhase::optimise) sum = basis_.D();
   for (int k = 0; k < m_; ++k) {
     product.assign_product(Y_[static_cast<std::size_t>(k)], column_[static_cast<std::size_t>(k)]);
     sum.subtract(product);

@@ -9,6 +9,7 @@
 
 #include "engine/lp/integer_basis.h"
 #include "engine/lp/integer_scaling.h"
+#include "engine/lp/simplex_phases.h"
 #include "engine/numerics/big_integer.h"
 #include "engine/numerics/stopwatch.h"
 #include "raygauge/sets/point_set.h"
@@ -21,12 +22,7 @@ namespace raygauge {
 /// priced in double-double arithmetic first and exactly only where that leaves a sign in doubt.
 class ExactSimplex {
  public:
-  enum class End : std::uint8_t {
-    solved,       ///< distance() is d_Q(A)
-    unreachable,  ///< no multiple of Q meets A: normal() is a Farkas direction
-    stopped,      ///< by the stopwatch, in the middle of anything, or by the pivot limit; nothing is known
-    too_long,     ///< not begun: what it is expected to take is more than the stopwatch leaves
-  };
+  using End = SimplexEnd;  ///< solved: distance() is d_Q(A); unreachable: normal() is a Farkas direction
 
   /// Points of S that may be used; all of them if `chosen` is empty.
   struct Points {
@@ -52,7 +48,6 @@ class ExactSimplex {
   std::int64_t pivots() const noexcept { return pivots_; }
 
  private:
-  enum class Phase : std::uint8_t { reach, optimise };
   // constant + Σ_k factor_k (unit_k p_k) with powers of two unit_k that bring the coordinates p_k of a set
   // below 1.
   struct Direction {
@@ -67,15 +62,25 @@ class ExactSimplex {
     double reduced_cost = 0;  // relative to the largest term in it
   };
 
+  // What run_phases asks; prices are always as good as new.
+  template <class Program>
+  friend SimplexEnd run_phases(Program& program, std::int64_t most_pivots);
+  SimplexPhase phase() const noexcept { return phase_; }
+  void begin(SimplexPhase phase) noexcept { phase_ = phase; }
+  bool has_reached() const { return basis_.has_reached(); }
+  bool is_late() noexcept { return deadline_.is_over(); }
+  static bool refresh() noexcept { return false; }
+  static bool separate() noexcept { return false; }
+  std::int64_t price();
+  bool enter(std::int64_t id);
+  bool replace(int row, std::int64_t id);
+
   void start_from(std::span<const std::int64_t> start);
-  End run();
   void compute_duals();
   void aim(bool from_Q, Direction& direction) const;
-  Candidate price();
   void price_set(const Points& points, bool from_Q, Candidate& best);
   int exact_reduced_cost_sign(std::int64_t id);
   void form_column(std::int64_t id);
-  void enter(int row, std::int64_t id);
 
   Points A_;
   Points Q_;
@@ -83,7 +88,7 @@ class ExactSimplex {
   IntegerScaling scaling_;
   int n_ = 0;
   int m_ = 0;
-  Phase phase_ = Phase::reach;
+  SimplexPhase phase_ = SimplexPhase::reach;
   std::int64_t pivots_ = 0;
   IntegerBasis basis_;
   std::vector<BigInteger> column_;

@@ -38,29 +38,15 @@ DoubleDouble dot(const double* y, const double* y_low, const double* column, int
 TwofoldSimplex::End TwofoldSimplex::solve(const Points& A, const Points& Q,
                                           std::span<const std::int64_t> start, double gap_tolerance,
                                           const Kernels& kernels, const Stopwatch& stopwatch) {
-  begin(A, Q, gap_tolerance, kernels, stopwatch);
+  bind(A, Q, gap_tolerance, kernels, stopwatch);
   if (!affords(stopwatch, kInversion * cube(m_)) || !start_from(start)) return End::stopped;
-  std::int64_t fresh = 0;  // pivots at the last factorisation
-  for (;;) {
-    if (stopwatch.expired()) return End::stopped;
-    const Entering entering = price_all();
-    if (entering.id < 0 || gap_is_closed(entering)) {
-      if (fresh == pivots_) {
-        if (phase_ == Phase::optimise) return End::solved;
-        if (phase_ == Phase::separate) return has_reached() ? End::failed : End::unreachable;
-        turn_to_next_phase();
-        continue;
-      }
-    } else if (pivots_ < pivot_limit(m_) && enter(entering.id)) {
-      if (phase_ == Phase::reach && has_reached()) enter_phase(Phase::optimise);
-      if (pivots_ - fresh < kPivotsOfAFactorisation && !has_drifted()) continue;
-    } else if (fresh == pivots_ || pivots_ >= pivot_limit(m_)) {
-      return End::failed;
-    }
-    fresh = pivots_;
-    basis_.refactor();
-    begin_phase();
-  }
+  return run_phases(*this, pivot_limit(m_));
+}
+
+bool TwofoldSimplex::refresh() {
+  if (fresh_ == pivots_) return false;
+  begin_anew();
+  return true;
 }
 
 // Whether c_B·x and y·b = y_n, which are equal, have come apart.
@@ -70,11 +56,10 @@ bool TwofoldSimplex::has_drifted() const {
   return !(std::fabs(objective - y_[static_cast<std::size_t>(n_)]) <= kDrift * std::fabs(objective));
 }
 
-// At the end of the first phase.
-void TwofoldSimplex::turn_to_next_phase() {
-  if (has_reached()) return enter_phase(Phase::optimise);
+bool TwofoldSimplex::separate() {
   margin_ = kMargin * dual_length();
-  enter_phase(Phase::separate);
+  begin(SimplexPhase::separate);
+  return true;
 }
 
 double TwofoldSimplex::dual_length() const {
@@ -84,12 +69,12 @@ double TwofoldSimplex::dual_length() const {
 }
 
 double TwofoldSimplex::cost_of_Q() const noexcept {
-  if (phase_ == Phase::optimise) return 1;
-  return phase_ == Phase::reach ? 0.0 : -margin_;
+  if (phase_ == SimplexPhase::optimise) return 1;
+  return phase_ == SimplexPhase::reach ? 0.0 : -margin_;
 }
 
-void TwofoldSimplex::begin(const Points& A, const Points& Q, double gap_tolerance, const Kernels& kernels,
-                           const Stopwatch& stopwatch) {
+void TwofoldSimplex::bind(const Points& A, const Points& Q, double gap_tolerance, const Kernels& kernels,
+                          const Stopwatch& stopwatch) {
   A_ = A;
   Q_ = Q;
   kernels_ = &kernels;
@@ -97,11 +82,10 @@ void TwofoldSimplex::begin(const Points& A, const Points& Q, double gap_toleranc
   gap_tolerance_ = gap_tolerance;
   n_ = A.set->dimension();
   m_ = n_ + 1;
-  phase_ = Phase::reach;
-  pivots_ = points_priced_ = 0;
+  phase_ = SimplexPhase::reach;
+  pivots_ = fresh_ = points_priced_ = 0;
   const auto rows = static_cast<std::size_t>(padded_rows(m_));
-  for (AlignedBuffer<double>* vector : {&column_, &y_, &y_low_, &u_, &u_low_, &cost_, &noise_})
-    vector->reserve(rows);
+  for (AlignedBuffer<double>* vector : {&column_, &y_, &y_low_, &u_, &u_low_, &cost_}) vector->reserve(rows);
   const std::ptrdiff_t blocks = std::max(A.set->block_count(), Q.set->block_count());
   values_.reserve(static_cast<std::size_t>(blocks * PointSet::kLanes));
 }
@@ -114,37 +98,31 @@ bool TwofoldSimplex::start_from(std::span<const std::int64_t> start) {
     form_column(id);
     basis_.place(column_.data(), id);
   }
-  basis_.refactor();
-  begin_phase();
+  begin_anew();
   return true;
 }
 
 // With a new inverse: weights below zero are those of artificial columns with the opposite sign.
-void TwofoldSimplex::begin_phase() {
-  measure_noise();
+void TwofoldSimplex::begin_anew() {
+  basis_.refactor();
+  fresh_ = pivots_;
+  basis_.measure_noise();
   for (int i = 0; i < m_; ++i) {
-    if (basis_.x(i).high < -noise(i)) basis_.make_artificial(i);
+    if (basis_.x(i).high < -basis_.noise(i)) basis_.make_artificial(i);
   }
   if (has_reached()) {
-    enter_phase(Phase::optimise);
+    begin(SimplexPhase::optimise);
   } else {
-    enter_phase(phase_ == Phase::separate ? Phase::separate : Phase::reach);
+    begin(phase_ == SimplexPhase::separate ? SimplexPhase::separate : SimplexPhase::reach);
   }
-}
-
-bool TwofoldSimplex::has_reached() const {
-  for (int i = 0; i < m_; ++i) {
-    if (basis_.is_artificial(i) && basis_.x(i).high > noise(i)) return false;
-  }
-  return true;
 }
 
 double TwofoldSimplex::cost(int i) const {
-  if (basis_.is_artificial(i)) return phase_ == Phase::optimise ? 0.0 : 1.0;
+  if (basis_.is_artificial(i)) return phase_ == SimplexPhase::optimise ? 0.0 : 1.0;
   return is_from_Q(basis_.id(i)) ? cost_of_Q() : 0.0;
 }
 
-void TwofoldSimplex::enter_phase(Phase phase) {
+void TwofoldSimplex::begin(SimplexPhase phase) {
   phase_ = phase;
   std::fill_n(y_.data(), m_, 0.0);
   std::fill_n(y_low_.data(), m_, 0.0);
@@ -162,7 +140,7 @@ void TwofoldSimplex::form_column(std::int64_t id) {
 }
 
 // max sign · u·p over the points.
-double TwofoldSimplex::price(const Points& points, double sign, std::ptrdiff_t* index) {
+double TwofoldSimplex::price_set(const Points& points, double sign, std::ptrdiff_t* index) {
   const PointSet& S = *points.set;
   double* u = u_.data();
   double* u_low = u_low_.data();
@@ -178,12 +156,13 @@ double TwofoldSimplex::price(const Points& points, double sign, std::ptrdiff_t* 
   return values[*index];
 }
 
-TwofoldSimplex::Entering TwofoldSimplex::price_all() {
+std::int64_t TwofoldSimplex::price() {
+  if (pivots_ - fresh_ >= kPivotsOfAFactorisation || (pivots_ != fresh_ && has_drifted())) begin_anew();
   std::ptrdiff_t a = 0;
   std::ptrdiff_t q = 0;
   Entering best;
-  best.h_A = price(A_, 1.0, &a);
-  best.h_Q = price(Q_, -1.0, &q);
+  best.h_A = price_set(A_, 1.0, &a);
+  best.h_Q = price_set(Q_, -1.0, &q);
   const double t = y_[static_cast<std::size_t>(n_)];
   const double d_A = -((best.h_A + t) + y_low_[static_cast<std::size_t>(n_)]);
   const double d_Q = cost_of_Q() - best.h_Q;
@@ -193,11 +172,11 @@ TwofoldSimplex::Entering TwofoldSimplex::price_all() {
   const bool take_A = A_enters && (!Q_enters || d_A < d_Q * std::fabs(t));
   if (take_A) best.id = id_of_A(a);
   if (Q_enters && !take_A) best.id = id_of_Q(q);
-  return best;
+  return gap_is_closed(best) ? -1 : best.id;
 }
 
 bool TwofoldSimplex::gap_is_closed(const Entering& priced) const {
-  if (phase_ != Phase::optimise || !(priced.h_Q > 0)) return false;
+  if (phase_ != SimplexPhase::optimise || !(priced.h_Q > 0)) return false;
   double objective = 0;
   for (int i = 0; i < m_; ++i) {
     if (is_from_Q(basis_.id(i))) objective += basis_.x(i).high;
@@ -205,46 +184,16 @@ bool TwofoldSimplex::gap_is_closed(const Entering& priced) const {
   return objective + priced.h_A / priced.h_Q <= gap_tolerance_ * objective;
 }
 
-void TwofoldSimplex::measure_noise() {
-  basis_.norms_of_rows(noise_.data());
-  for (int i = 0; i < m_; ++i) noise_[static_cast<std::size_t>(i)] *= kNoise;
-}
-
-// Harris' two-pass ratio test. An artificial column at zero must stay there: it leaves at the first chance.
-int TwofoldSimplex::leaving_row() const {
-  int row = -1;
-  double largest = 0;
-  for (int i = 0; i < m_ && phase_ == Phase::optimise; ++i) {
-    const double w = std::fabs(basis_.w(i).high) / noise(i);
-    if (!basis_.is_artificial(i) || !(w > std::max(largest, kOutOfTurn))) continue;
-    largest = w;
-    row = i;
-  }
-  if (row >= 0) return row;
-  double bound = kInfinity;
-  for (int i = 0; i < m_; ++i) {
-    const double w = basis_.w(i).high;
-    if (w > kPivot * noise(i)) bound = std::min(bound, (std::max(basis_.x(i).high, 0.0) + noise(i)) / w);
-  }
-  for (int i = 0; i < m_; ++i) {
-    const double w = basis_.w(i).high;
-    if (!(w > std::max(largest, kPivot * noise(i))) || !(basis_.x(i).high <= kSlack * bound * w)) continue;
-    largest = w;
-    row = i;
-  }
-  return row;
-}
-
 // False where rounding leaves no pivot.
 bool TwofoldSimplex::enter(std::int64_t id) {
   form_column(id);
   basis_.transform(column_.data());
-  const int row = leaving_row();
+  const int row = basis_.leaving_row(phase_ == SimplexPhase::optimise);
   if (row < 0) return false;
   const double cost_of_column = is_from_Q(id) ? cost_of_Q() : 0.0;
   const DoubleDouble d = DoubleDouble{cost_of_column} - dot(y_.data(), y_low_.data(), column_.data(), m_);
   basis_.replace(row, column_.data(), id);
-  measure_noise();
+  basis_.measure_noise();
   for (int k = 0; k < m_; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const DoubleDouble y = DoubleDouble{y_[at], y_low_[at]} + d * basis_.R(row, k);
@@ -252,6 +201,43 @@ bool TwofoldSimplex::enter(std::int64_t id) {
     y_low_[at] = y.low;
   }
   ++pivots_;
+  return true;
+}
+
+void TwofoldPointBasis::measure_noise() {
+  noise_.reserve(static_cast<std::size_t>(padded_rows(size())));
+  norms_of_rows(noise_.data());
+  for (int i = 0; i < size(); ++i) noise_[static_cast<std::size_t>(i)] *= kNoise;
+}
+
+int TwofoldPointBasis::leaving_row(bool at_zero) const {
+  int row = -1;
+  double largest = 0;
+  for (int i = 0; at_zero && i < size(); ++i) {
+    const double w_i = std::fabs(w(i).high) / noise(i);
+    if (!is_artificial(i) || !(w_i > std::max(largest, kOutOfTurn))) continue;
+    largest = w_i;
+    row = i;
+  }
+  if (row >= 0) return row;
+  double bound = kInfinity;
+  for (int i = 0; i < size(); ++i) {
+    const double w_i = w(i).high;
+    if (w_i > kPivot * noise(i)) bound = std::min(bound, (std::max(x(i).high, 0.0) + noise(i)) / w_i);
+  }
+  for (int i = 0; i < size(); ++i) {
+    const double w_i = w(i).high;
+    if (!(w_i > std::max(largest, kPivot * noise(i))) || !(x(i).high <= kSlack * bound * w_i)) continue;
+    largest = w_i;
+    row = i;
+  }
+  return row;
+}
+
+bool TwofoldPointBasis::has_reached() const {
+  for (int i = 0; i < size(); ++i) {
+    if (is_artificial(i) && x(i).high > noise(i)) return false;
+  }
   return true;
 }
 

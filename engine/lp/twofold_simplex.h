@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/kernels/kernel.h"
+#include "engine/lp/simplex_phases.h"
 #include "engine/lp/twofold_basis.h"
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/stopwatch.h"
@@ -17,6 +18,17 @@ namespace raygauge {
 /// As PointBasis, in double-double arithmetic.
 class TwofoldPointBasis : public TwofoldBasis {
  public:
+  /// What rounding may have done to x_i and w_i, from the inverse at hand.
+  void measure_noise();
+  double noise(int i) const { return noise_[static_cast<std::size_t>(i)]; }
+
+  /// No artificial column has weight.
+  bool has_reached() const;
+
+  /// By Harris' two-pass ratio test; with `at_zero`, an artificial column that has reached zero must stay
+  /// there: it leaves at the first chance. -1 where rounding leaves no pivot.
+  int leaving_row(bool at_zero) const;
+
   /// Σβ of the exact basic solution, rounded up, where its weights are proven to be positive or exactly zero
   /// (columns_span); 0 only where it is exactly 0. +infinity where nothing is proven.
   double upper(const Stopwatch& stopwatch);
@@ -35,6 +47,7 @@ class TwofoldPointBasis : public TwofoldBasis {
   double objective_ = 0;
   std::vector<int> zeros_;       // positions of weights that are zero, in solution_
   std::vector<double> columns_;  // at the others
+  AlignedBuffer<double> noise_;
 };
 
 /// The linear program of PrimalSimplex in double-double arithmetic: for bases whose condition, 10¹⁵ and more,
@@ -43,13 +56,7 @@ class TwofoldPointBasis : public TwofoldBasis {
 /// phase of their own. It starts from the last basis of the simplex in doubles.
 class TwofoldSimplex {
  public:
-  enum class End : std::uint8_t {
-    solved,       ///< no point prices out, or the gap is small enough
-    unreachable,  ///< no multiple of Q meets A: the duals are a Farkas direction that leaves Q behind by a
-                  ///< margin
-    failed,       ///< not even these digits decide
-    stopped,      ///< by the stopwatch, in the middle of anything
-  };
+  using End = SimplexEnd;
 
   /// The points of a set, times a power of two for each coordinate.
   struct Points {
@@ -73,46 +80,48 @@ class TwofoldSimplex {
   std::int64_t points_priced() const noexcept { return points_priced_; }
 
  private:
-  // As the stages of PrimalSimplex; the margin is a negative cost of points of Q.
-  enum class Phase : std::uint8_t { reach, separate, optimise };
   struct Entering {
     std::int64_t id = -1;
     double h_A = 0, h_Q = 0;
   };
 
-  void begin(const Points& A, const Points& Q, double gap_tolerance, const Kernels& kernels,
-             const Stopwatch& stopwatch);
+  // What run_phases asks.
+  template <class Program>
+  friend SimplexEnd run_phases(Program& program, std::int64_t most_pivots);
+  SimplexPhase phase() const noexcept { return phase_; }
+  void begin(SimplexPhase phase);
+  bool has_reached() const { return basis_.has_reached(); }
+  bool is_late() const { return stopwatch_->expired(); }
+  bool refresh();
+  bool separate();
+  std::int64_t price();
+  bool enter(std::int64_t id);
+
+  void bind(const Points& A, const Points& Q, double gap_tolerance, const Kernels& kernels,
+            const Stopwatch& stopwatch);
   bool start_from(std::span<const std::int64_t> start);
-  void begin_phase();
-  bool has_reached() const;
+  void begin_anew();
   bool has_drifted() const;
-  void enter_phase(Phase phase);
   double cost(int i) const;
   double cost_of_Q() const noexcept;
   double dual_length() const;
-  void turn_to_next_phase();
   void form_column(std::int64_t id);
-  double price(const Points& points, double sign, std::ptrdiff_t* index);
-  Entering price_all();
+  double price_set(const Points& points, double sign, std::ptrdiff_t* index);
   bool gap_is_closed(const Entering& priced) const;
-  double noise(int i) const { return noise_[static_cast<std::size_t>(i)]; }
-  void measure_noise();
-  int leaving_row() const;
-  bool enter(std::int64_t id);
 
   Points A_, Q_;
   const Kernels* kernels_ = nullptr;
   const Stopwatch* stopwatch_ = nullptr;
   int n_ = 0;
   int m_ = 0;
-  Phase phase_ = Phase::reach;
+  SimplexPhase phase_ = SimplexPhase::reach;
   double gap_tolerance_ = 0;
-  double margin_ = 0;  // of Phase::separate
+  double margin_ = 0;  // of SimplexPhase::separate
   std::int64_t pivots_ = 0;
+  std::int64_t fresh_ = 0;  // pivots at the last factorisation
   std::int64_t points_priced_ = 0;
   TwofoldPointBasis basis_;
   AlignedBuffer<double> column_, y_, y_low_, u_, u_low_, values_, cost_;
-  AlignedBuffer<double> noise_;  // of the entries of x and w: rounding
 };
 
 }  // namespace raygauge
