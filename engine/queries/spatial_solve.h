@@ -91,7 +91,7 @@ class SpatialSolve {
   const ConvexSet* first_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
   double enough_ = 0;
-  double near_curved_ = 3e-3;  // of the size: where other steps are faster
+  double near_curved_ = 3e-2;  // of the size: where other steps are faster
 };
 
 }  // namespace raygauge

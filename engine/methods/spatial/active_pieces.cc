@@ -41,15 +41,15 @@ void ActivePieces<Pair>::follow(const Pair& pair, const Vector& u, const Point* 
   int left = 0;
   const Point* followed = nullptr;
   for (int i = 0; i < count; ++i) {
-    Point moved = point[i];
+    Point& moved = point[left];
+    if (i != left) moved = point[i];
     if (highest != nullptr && moved.has_same_pieces(*highest)) {
       moved = *highest;
     } else if (!pair.follow(u, moved, followed)) {
       continue;
     }
-    weight[left] = weight[i];
-    point[left] = moved;
-    followed = &point[left++];
+    weight[left++] = weight[i];
+    followed = &moved;
   }
   count = left;
   if (highest != nullptr && find(*highest) == count) add(*highest);
@@ -98,11 +98,13 @@ TangentMetric ActivePieces<Pair>::metric(const Pair& pair, const Vector& u, doub
 
 template <class Pair>
 void ActivePieces<Pair>::keep(const ContactStep<Real>& found) {
-  Point kept[3];
-  for (int i = 0; i < found.count; ++i) kept[i] = point[found.piece[i]];
+  if (found.count > 1 || found.piece[0] != 0) {
+    Point kept[3];
+    for (int i = 0; i < found.count; ++i) kept[i] = point[found.piece[i]];
+    std::copy_n(kept, found.count, point);
+  }
   count = found.count;
   for (int i = 0; i < count; ++i) {
-    point[i] = kept[i];
     weight[i] = std::clamp(rounded(found.weight[i]), 0.0, 1.0);
   }
 }

@@ -69,7 +69,7 @@ template <class Real>
 double turn(const TangentMetric& metric, const Real* y, double longest, BasicVector3<Real>& u) {
   Real d[2];
   metric.step(y, d);
-  const double long_by = std::hypot(high(d[0]), high(d[1]));
+  const double long_by = std::sqrt(high(d[0]) * high(d[0]) + high(d[1]) * high(d[1]));
   const Real share{long_by > longest ? longest / long_by : 1.0};
   u = u + vector_of<Real>(metric.tangent[0]) * (d[0] * share) +
       vector_of<Real>(metric.tangent[1]) * (d[1] * share);

@@ -11,8 +11,9 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostSteps = 16;
-constexpr double kConverged = 1e-15;  // radians that the next step would go
-constexpr double kLongestStep = 0.5, kShorter = 0.3;
+constexpr double kConverged = 1e-15;  // radians that the step after the next would go
+constexpr double kLongestStep = 0.5, kShorter = 0.3, kLonger = 2;
+constexpr double kLongEnough = 0.1;   // a step after which other rims may count
 constexpr double kNoise = 8;          // a rise of so many error() is rounding
 constexpr double kShortStep = 1e-3;   // a step that rises although it is shorter is made of rounding errors
 constexpr double kPreciseGap = 64;    // of error(): from here double-double steps close it sooner
@@ -33,8 +34,10 @@ class ContactDescent {
   bool try_disc(int i, const Vector3& v);
   bool look(double& height);
   bool step();
-  void record(const ContactStep<double>& found);
+  void bound_by_pieces();
+  bool overlaps() const;
   void bound(const Vector3& v);
+  void record();
 
   SpatialPair& pair_;
   double tolerance_;
@@ -45,6 +48,8 @@ class ContactDescent {
   double longest_step_ = kLongestStep;
   double lowest_ = 1e300;  // height met, at lowest_u_
   Vector3 lowest_u_;
+  bool bounded_ = false;    // by pieces_
+  bool converged_ = false;  // what is left is to bound the distance at u_
   bool tried_[2] = {false, false};
 };
 
@@ -102,18 +107,32 @@ bool ContactDescent::try_discs() {
   return false;
 }
 
-void ContactDescent::record(const ContactStep<double>& found) {
-  SpatialCombination& combination = answer_.combination;
-  pieces_.keep(found);
-  combination.count = pieces_.count;
+void ContactDescent::bound_by_pieces() {
   Vector3 v;
-  for (int i = 0; i < pieces_.count; ++i) {
-    combination.point[i] = pieces_.point[i];
-    combination.weight[i] = pieces_.weight[i];
-    v = v + pieces_.point[i].s * pieces_.weight[i];
-  }
-  answer_.hint = u_;
+  for (int i = 0; i < pieces_.count; ++i) v = v + pieces_.point[i].s * pieces_.weight[i];
+  bounded_ = true;
   bound(v);
+  if (dot(u_, v) > kNoise * pair_.error() && overlaps()) answer_.end = SpatialEnd::intersecting;
+}
+
+// Whether the points of the pieces with their weights prove it.
+bool ContactDescent::overlaps() const {
+  SpatialPoint sum = pieces_.point[0];
+  sum.a1 = sum.a2 = {};
+  for (int i = 0; i < pieces_.count; ++i) {
+    sum.a1 = sum.a1 + pieces_.point[i].a1 * pieces_.weight[i];
+    sum.a2 = sum.a2 + pieces_.point[i].a2 * pieces_.weight[i];
+  }
+  sum.s = sum.a1 - sum.a2;
+  return pair_.overlap(u_, sum);
+}
+
+// What precise_distance goes on from.
+void ContactDescent::record() {
+  SpatialCombination& combination = answer_.combination;
+  combination.count = pieces_.count;
+  std::copy_n(pieces_.point, pieces_.count, combination.point);
+  std::copy_n(pieces_.weight, pieces_.count, combination.weight);
 }
 
 // The height at u_, with all pieces following it; after a step too long, back at the u_ of before, with the
@@ -132,9 +151,10 @@ bool ContactDescent::look(double& height) {
   } else {
     lowest_ = height;
     lowest_u_ = u_;
+    if (last_step_ > longest_step_) longest_step_ = std::min(kLonger * longest_step_, kLongestStep);
   }
   pieces_.follow(pair_, u_, &w);
-  add_other_rims(w);
+  if (last_step_ > kLongEnough) add_other_rims(w);
   return true;
 }
 
@@ -146,13 +166,15 @@ bool ContactDescent::step() {
       pieces_.metric(pair_, u_, std::fabs(height), kDamping * last_step_ * last_step_);
   const ContactStep<double> found =
       pieces_.step(metric, u_, [this](int i) -> const Vector3& { return pieces_.point[i].s; });
-  record(found);
+  pieces_.keep(found);
+  answer_.hint = u_;
+  bound_by_pieces();
   if (answer_.end != SpatialEnd::open || answer_.closes(tolerance_)) return false;
-  if (answer_.bounds.gap() <= kPreciseGap * pair_.error()) return false;
+  if (converged_ || answer_.bounds.gap() <= kPreciseGap * pair_.error()) return false;
   const double long_by = turn(metric, found.y, longest_step_, u_);
-  const bool converged = long_by * std::max(long_by, kDamping * last_step_ * last_step_) < kConverged;
+  converged_ = long_by * std::max(long_by, kDamping * last_step_ * last_step_) < kConverged;
   last_step_ = std::min(long_by, 1.0);
-  return !converged;
+  return true;
 }
 
 void ContactDescent::run() {
@@ -160,8 +182,10 @@ void ContactDescent::run() {
   u_ = answer_.hint * (1 / length(answer_.hint));
   pieces_.begin(answer_.combination);
   for (int i = 0; i < kMostSteps; ++i, ++answer_.iterations) {
-    if (try_discs() || !step()) return;
+    if (try_discs()) return;
+    if (!step()) break;
   }
+  if (bounded_) record();
 }
 
 }  // namespace

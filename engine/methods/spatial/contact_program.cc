@@ -161,13 +161,20 @@ TangentMetric::TangentMetric(const Vector3& t0, const Vector3& t1, const double*
 void TangentMetric::factorise(const double* h, double lambda) {
   const double a = h[0] + lambda, b = h[1], c = h[2] + lambda;
   trace = a + c;
-  factor[0] = std::sqrt(std::fmax(a, 1e-15 * trace));
-  factor[1] = b / factor[0];
-  factor[2] = std::sqrt(std::fmax(c - factor[1] * factor[1], 1e-15 * trace));
+  inverse[0] = 1 / std::sqrt(std::max(a, 1e-15 * trace));
+  below = b * inverse[0];
+  inverse[1] = 1 / std::sqrt(std::max(c - below * below, 1e-15 * trace));
 }
 
 template <>
 ContactStep<double> contact_step(const ContactPiece<double>* pieces, int count) {
+  if (count == 1) {
+    ContactStep<double> step;
+    step.count = 1;
+    step.weight[0] = 1;
+    for (int k = 0; k < 2; ++k) step.y[k] = -pieces->slope[k];
+    return step;
+  }
   if (count == 2) return step_of_two(pieces);
   return contact_step_of<double>(pieces, count);
 }

@@ -17,17 +17,18 @@ struct TangentMetric {
   /// C⁻¹ g of a tangential vector g by its two coordinates; d is C⁻ᵀ y of a step of the program below.
   template <class Real>
   void image(const Real& g0, const Real& g1, Real* y) const {
-    y[0] = g0 / Real{factor[0]};
-    y[1] = (g1 - y[0] * factor[1]) / Real{factor[2]};
+    y[0] = g0 * inverse[0];
+    y[1] = (g1 - y[0] * below) * inverse[1];
   }
   template <class Real>
   void step(const Real* y, Real* d) const {
-    d[1] = y[1] / Real{factor[2]};
-    d[0] = (y[0] - d[1] * factor[1]) / Real{factor[0]};
+    d[1] = y[1] * inverse[1];
+    d[0] = (y[0] - d[1] * below) * inverse[0];
   }
 
   Vector3 tangent[2];
-  double factor[3] = {0, 0, 0};
+  double inverse[2] = {0, 0};  // of the diagonal of C
+  double below = 0;            // that
   double trace = 0;
 
  private:

@@ -40,6 +40,25 @@ class CorePair {
     return true;
   }
 
+  /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a
+  /// combination of such pairs, with the outer normal u, its indices those of any of them. The point of the
+  /// other core is x_1 - R⁻¹s in the frame of the first one, x_2 + R⁻¹s in that of the second, and R⁻¹ is Rᵀ
+  /// but for the defect of the pose.
+  bool overlap(const Vector& u, const Point& point) const {
+    const Vector3 s = rounded(point.s), normal = rounded(u);
+    const double away = length(s), height = dot(normal, s) / length(normal);
+    for (int i = 0; i < 2; ++i) {
+      const double margin = 4 * error_ + frame_.slack(i, away);
+      const bool inside = with_core(shape(i), [&](const auto& core) {
+        if constexpr (requires { core.kIsCurved; })
+          return core.holds(frame_.own(i, point), frame_.into(i, point.s), height, margin);
+        return false;
+      });
+      if (inside) return true;
+    }
+    return false;
+  }
+
  protected:
   /// The bodies of the frame are new.
   void begin() noexcept {

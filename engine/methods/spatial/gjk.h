@@ -77,13 +77,15 @@ struct SupportBound {
   double lower = 0, hopeful = 0;
 };
 
-/// The point w for u, of length 1 in about.
-inline SupportBound look(SpatialPair& pair, const Vector3& u, SpatialPoint& w) {
-  pair.support(u, w);
+/// The point w for u, of length 1 in about, and so for the same direction of any length, `way`, which is at
+/// hand before.
+inline SupportBound look(SpatialPair& pair, const Vector3& way, const Vector3& u, SpatialPoint& w) {
+  pair.support(way, w);
   const double along = dot(u, w.s);
   return {lower_bound(pair, along), -along - pair.error() - pair.radius()};
 }
-inline SupportBound look(PrecisePair& pair, const PreciseVector3& u, PrecisePoint& w) {
+inline SupportBound look(PrecisePair& pair, const PreciseVector3& /*way*/, const PreciseVector3& u,
+                         PrecisePoint& w) {
   DoubleDouble height;
   w = pair.support(u, height);
   const double lower = lower_bound(pair, u, height);
@@ -151,9 +153,9 @@ bool Gjk<Pair, Simplex>::step() {
   }
   if (simplex_.count == 4 || !(size > hopeless_)) return false;
   auto& w = simplex_.point[simplex_.count];
-  const Vector u =
-      direction(simplex_, v, size, !kIsDouble<Real> || size < kShort * pair_.in_doubles().size());
-  const SupportBound bound = look(pair_, u, w);
+  const bool is_short = !kIsDouble<Real> || size < kShort * pair_.in_doubles().size();
+  const Vector u = direction(simplex_, v, size, is_short);
+  const SupportBound bound = look(pair_, is_short ? u : -v, u, w);
   if (bound.hopeful > best_hope_) {
     best_hope_ = bound.hopeful;
     answer_.hint = pair_.to_first(u);

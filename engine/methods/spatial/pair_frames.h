@@ -65,6 +65,12 @@ struct FirstBodyFrame {
   }
   static void subtract(PairPoint<double>& point) noexcept { point.s = point.a1 - point.a2; }
 
+  /// The point of core i in that core's frame, and how far rounding may be off in a vector of length `away`.
+  Vector3 own(int i, const PairPoint<double>& point) const noexcept {
+    return i == 0 ? point.a1 : to_second(point.a2);
+  }
+  static double slack(int /*i*/, double away) noexcept { return 0x1p-48 * away; }
+
   /// A point of the second body's frame in the first one's, and back.
   Vector3 from_second(const Vector3& point) const noexcept { return R * point + t; }
   Vector3 to_second(const Vector3& point) const noexcept { return R.transposed_times(point - t); }
@@ -145,6 +151,10 @@ struct WorldFrame {
   }
 
   static void put(int i, const PreciseVector3& x, PairPoint<DoubleDouble>& point) noexcept { point.a(i) = x; }
+  static const PreciseVector3& own(int i, const PairPoint<DoubleDouble>& point) noexcept {
+    return point.a(i);
+  }
+  double slack(int i, double away) const noexcept { return (4 * body[i].defect + 0x1p-48) * away; }
   // Vertices are doubles.
   void subtract(PairPoint<DoubleDouble>& point) const noexcept {
     point.s = sum_of(point.index_1 >= 0 ? body[0].turn(rounded(point.a1)) : body[0].turn(point.a1),

@@ -165,23 +165,8 @@ RAYGAUGE_FUSED bool PrecisePair::project(PrecisePoint& point) const {
   return true;
 }
 
-// The point of the other core is x_1 - R⁻¹s in the frame of the first one, x_2 + R⁻¹s in that of the second,
-// and R⁻¹ is Rᵀ but for the defect of the pose.
 RAYGAUGE_FUSED bool PrecisePair::overlap(const PreciseVector3& u, const PrecisePoint& point) const {
-  const Vector3 s = rounded(point.s), normal = rounded(u);
-  const double away = length(s), height = dot(normal, s) / length(normal);
-  for (int i = 0; i < 2; ++i) {
-    const double margin = 4 * (error_ + frame_.body[i].defect * away) + 0x1p-48 * away;
-    const bool inside = with_core(shape(i), [&](const auto& core) {
-      if constexpr (requires { core.kIsCurved; }) {
-        const PreciseVector3 back = frame_.body[i].turn_back(i == 0 ? point.s : -point.s);
-        return core.holds(point.a(i), back, height, margin);
-      }
-      return false;
-    });
-    if (inside) return true;
-  }
-  return false;
+  return CorePair::overlap(u, point);
 }
 
 RAYGAUGE_FUSED PreciseVector3 PrecisePair::ball_points(const PreciseVector3& u) const {

@@ -54,8 +54,7 @@ class PrecisePair : public CorePair<WorldFrame> {
   /// nearest points, the better the nearer `point` was. False for other pairs.
   bool project(PrecisePoint& point) const;
 
-  /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a
-  /// combination of such pairs, with the outer normal u, its indices those of any of them.
+  /// As that of every pair.
   bool overlap(const PreciseVector3& u, const PrecisePoint& point) const;
 
   /// From the centre of the first body to that of the second.

@@ -50,13 +50,17 @@ struct FrustumCore {
   template <class Real>
   struct Across {
     Across(const Axis<Real>& axis, const BasicVector3<Real>& v) {
-      constexpr double kCancelled = 0.01;  // |v_⊥|²/|v|² below which the projection is repeated
+      constexpr double kCancelled =
+          kIsDouble<Real> ? 0.04 : 0.01;  // |v_⊥|²/|v|² below which the projection is repeated
       constexpr double kAlongAxis = kIsDouble<Real> ? 1e-28 : 1e-56;  // ... and that is nothing but rounding
       constexpr double kNearAxis = 1e-10;  // ... and up to which rims are as good as flat
       const double all = dot(rounded(v), rounded(v));
       w = axis.without(v);
-      if (kIsDouble<Real> || !(high(dot(w, w)) > kCancelled * all)) w = axis.without(w);
-      const Real square = dot(w, w);
+      Real square = dot(w, w);
+      if (!(high(square) > kCancelled * all)) {
+        w = axis.without(w);
+        square = dot(w, w);
+      }
       size = square_root(square);
       is_near_axis = !(high(square) > kNearAxis * all);
       if (high(square) > kAlongAxis * all) {
