@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/methods/spatial/active_pieces.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
@@ -190,7 +191,7 @@ void ContactDescent::run() {
 
 }  // namespace
 
-void contact_distance(SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
+RAYGAUGE_FUSED void contact_distance(SpatialPair& pair, double tolerance, SpatialAnswer& answer) {
   answer.end = SpatialEnd::open;
   ContactDescent(pair, tolerance, answer).run();
 }

@@ -158,7 +158,7 @@ SimplexFace<Real> nearest_face_of(Points<Real> points, int count) {
 }  // namespace
 
 template <>
-SimplexFace<double> nearest_face(const Vector3* const* points, int count) {
+RAYGAUGE_FUSED SimplexFace<double> nearest_face(const Vector3* const* points, int count) {
   return nearest_face_of<double>(points, count);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/methods/spatial/gjk.h"
+#include "engine/numerics/fused.h"
 
 namespace raygauge {
 namespace {
@@ -80,7 +81,7 @@ bool meet_deep(const SpatialPair& pair) {
                    way - half * std::clamp(dot(way, half) / square, -1.0, 1.0));
 }
 
-void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
+RAYGAUGE_FUSED void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
                       const SpatialNearness& leave, SpatialAnswer& answer) {
   answer.begin_steps();
   Descent(pair, tolerance, leave, answer).run(start);
