@@ -17,8 +17,9 @@ namespace raygauge {
 /// axis of a frustum, the disc is tried: if the point of it below the other body's support point is inside,
 /// the axis is that normal.
 ///
-/// Ends `closed` where doubles prove enough; otherwise the hint and the combination of `answer` are where
-/// precise_distance goes on from.
+/// Ends `closed` where doubles prove enough, and `intersecting` where a point of one core is inside the other
+/// one for certain; otherwise the hint and the combination of `answer` are where precise_distance goes on
+/// from.
 void contact_distance(SpatialPair& pair, double tolerance, SpatialAnswer& answer);
 
 }  // namespace raygauge
