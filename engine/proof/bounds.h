@@ -42,9 +42,11 @@ class Bounds {
   /// No two proofs contradict each other; a set that breaks its own promises can lead there.
   bool agree() const noexcept { return lower_ <= upper_; }
 
-  /// Whether they decide d to a relative `tolerance`. Bounds that contradict each other decide nothing.
-  bool close(double tolerance) const noexcept {
-    return agree() && upper_ <= std::numeric_limits<double>::max() && gap() <= tolerance * upper_;
+  /// Whether they decide d to a relative `tolerance`, or to a gap that is `enough`. Bounds that contradict
+  /// each other decide nothing.
+  bool close(double tolerance, double enough = 0) const noexcept {
+    return agree() && upper_ <= std::numeric_limits<double>::max() &&
+           (gap() <= tolerance * upper_ || gap() <= enough);
   }
   bool reach(const Goal& goal) const noexcept {
     return lower_ > goal.threshold || upper_ < goal.threshold || close(goal.tolerance);

@@ -189,7 +189,7 @@ bool BodyDepth::has_parted(const PairStart& start, BodyDepthAnswer& answer) {
 // Balls that meet about cores that do not. True where it is all: the cores are apart for certain.
 bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer) {
   if (!cores_.place(pair_.pose(0), pair_.pose(1))) return false;
-  const auto is_close = [&] { return answer.bounds.close(tolerance) || answer.bounds.gap() <= enough_; };
+  const auto is_close = [&] { return answer.bounds.close(tolerance, enough_); };
   double asked = tolerance;
   nearest_.clear();
   if (start != nullptr) nearest_ = *start;
@@ -208,6 +208,7 @@ bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthA
   answer.point_1 = answer.point_1 - answer.normal * radius_[0];
   answer.point_2 = answer.point_2 + answer.normal * radius_[1];
   answer.status = is_close() ? DistanceStatus::optimal : DistanceStatus::precision_limit;
+  answer.support_queries += pair_.queries();
   return true;
 }
 
@@ -268,12 +269,12 @@ void BodyDepth::record(WarmStart& warm) {
 bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const Stopwatch& watch,
                              BodyDepthAnswer& answer) {
   SpatialOracle oracle(pair_);
-  const bool closed =
-      quick_.run_again(oracle, memory, {tolerance, 0, down(ball_lower_), up(ball_upper_), true}, watch);
+  const bool closed = quick_.run_again(
+      oracle, memory, {tolerance, 0, down(ball_lower_), up(ball_upper_), true, enough_}, watch);
   if (!closed) return false;
   source_ = Source::quick;
   take(quick_, false, answer);
-  if (!answer.bounds.close(tolerance) || !has_points_) return false;
+  if (!answer.bounds.close(tolerance, enough_) || !has_points_) return false;
   answer.support_queries += pair_.queries();
   answer.status = DistanceStatus::optimal;
   pair_.frame().to_world(-normal_, &answer.normal.x);
@@ -291,7 +292,7 @@ void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);
   source_ = Source::quick;
-  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper, true}, watch);
+  DepthEnd end = quick_.run(oracle, u, {tolerance, floor_, ball_lower, ball_upper, true, enough_}, watch);
   take(quick_, false, answer);
   answer.support_queries += pair_.queries();
   PreciseOracle precise;
@@ -300,13 +301,14 @@ void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch
     pair_.frame().to_world(quick_.normal(), &world.x);
     if (pair_.dimension() == 2) world.z = quick_.normal().z;
     source_ = Source::precise;
-    end = precise_.run(precise, raygauge::precise(world), {tolerance, floor_, ball_lower, ball_upper}, watch);
+    end = precise_.run(precise, raygauge::precise(world),
+                       {tolerance, floor_, ball_lower, ball_upper, false, enough_}, watch);
     take(precise_, true, answer);
     answer.support_queries += precise.queries();
   }
-  answer.status = answer.bounds.close(tolerance) ? DistanceStatus::optimal
-                  : end == DepthEnd::closed      ? DistanceStatus::precision_limit
-                                                 : status_of(end);
+  answer.status = answer.bounds.close(tolerance, enough_) ? DistanceStatus::optimal
+                  : end == DepthEnd::closed               ? DistanceStatus::precision_limit
+                                                          : status_of(end);
 }
 
 void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch& watch,
@@ -320,14 +322,13 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
   if (start.polytope != nullptr && !start.polytope->empty() &&
       search_again(tolerance, *start.polytope, watch, answer))
     return;
+  const bool were_apart = has_balls() && start.pair != nullptr && start.pair->count > 0;  // most likely still
+  if (were_apart && solve_apart(tolerance, start.pair, answer)) return;
   if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
   // It leaves no polytope to go on from, which takes half as long.
   if (!start.is_kept && leave_polytopes(tolerance, answer)) return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);
-  if (may_be_apart && solve_apart(tolerance, start.pair, answer)) {
-    answer.support_queries += pair_.queries();
-    return;
-  }
+  if (may_be_apart && !were_apart && solve_apart(tolerance, start.pair, answer)) return;
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
   Vector3 a1, a2;
   if (may_be_apart && cores_.answer().end != SpatialEnd::intersecting) {

@@ -68,7 +68,7 @@ bool BodyDepth::leave_hull(double tolerance, BodyDepthAnswer& answer) {
   pair_.support(u, point);
   const double size = length(u), height = dot(u, point.s) / size + pair_.error();
   const Bounds bounds(down(ball_lower_ + lower), up(ball_upper_ + height * (1 + 0x1p-48)));
-  if (!bounds.close(tolerance)) return false;
+  if (!bounds.close(tolerance, enough_)) return false;
   source_ = Source::hull;
   plane_ = nearest;
   has_points_ = true;
@@ -92,7 +92,7 @@ bool BodyDepth::leave_known(const Known& known, Source source, const Vector3& fr
   const Bounds bounds(down(ball_lower_ + lower * (1 - 0x1p-48)),
                       up(ball_upper_ + (known.upper() + error) * (1 + 0x1p-48)));
   Vector3 of_first;
-  if (!bounds.close(tolerance) || !known.find_contact(of_first)) return false;
+  if (!bounds.close(tolerance, enough_) || !known.find_contact(of_first)) return false;
   source_ = source;
   has_points_ = true;
   answer.bounds = bounds;

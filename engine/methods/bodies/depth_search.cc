@@ -30,7 +30,7 @@ BasicVector3<Real> unit(const BasicVector3<Real>& v) {
 template <class Real>
 bool DepthSearch<Real>::closes(double lower) const {
   return Bounds(std::max(lower, goal_.floor) + goal_.ball_lower, upper_ + goal_.ball_upper)
-      .close(goal_.tolerance * kDown);
+      .close(goal_.tolerance * kDown, goal_.enough);
 }
 
 // A gap that closes is less than what the bounds of one facet lose. A last search goes on until its own is
@@ -39,7 +39,8 @@ template <class Real>
 bool DepthSearch<Real>::is_lost() const {
   constexpr double kLost = 16;
   const double least = kLost * oracle_->error();
-  return goal_.tolerance * (upper_ + goal_.ball_upper) < least && (goal_.is_first || upper_ - lower_ < least);
+  return std::max(goal_.tolerance * (upper_ + goal_.ball_upper), goal_.enough) < least &&
+         (goal_.is_first || upper_ - lower_ < least);
 }
 
 // The support point for u, of length 1 where it is a facet's normal, whose height may be a better upper
@@ -116,7 +117,8 @@ template <class Real>
 double DepthSearch<Real>::closing() const {
   if (closes(0)) return -std::numeric_limits<double>::infinity();
   const double upper = upper_ + goal_.ball_upper;
-  return upper - goal_.ball_lower - upper * (goal_.tolerance * kDown - 0x1p-50);
+  const double gap = std::max(upper * goal_.tolerance * kDown, goal_.enough) - upper * 0x1p-50;
+  return upper - goal_.ball_lower - gap;
 }
 
 // The least of the facets that are new.

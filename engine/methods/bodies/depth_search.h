@@ -76,6 +76,7 @@ class DepthSearch {
     double floor = 0;  ///< proven: the depth of D is not below it
     double ball_lower = 0, ball_upper = 0;
     bool is_first = false;  ///< what rounding hides is searched again in more precise arithmetic
+    double enough = 0;      ///< a gap of this size is closed, too
   };
 
   DepthEnd run(DepthOracle<Real>& oracle, const Vector& start, const Goal& goal, const Stopwatch& watch);
