@@ -75,10 +75,11 @@ class CorePair {
     queries_ += 2;
   }
 
-  /// The same, but that a core has the vertex or the point of a rim that `corner` names, where there is one.
-  void look_again(const Vector& u, const DepthMemory::Corner& corner, Point& point) {
-    look_again_at<0>(u, corner.index_1, corner.way_1, point);
-    look_again_at<1>(u, corner.index_2, corner.way_2, point);
+  /// The same along a direction for each, but that a core has the vertex or the rim that `corner` names,
+  /// where there is one.
+  void look_again(const Vector& u_1, const Vector& u_2, const DepthMemory::Corner& corner, Point& point) {
+    look_again_at<0>(u_1, corner.index_1, point);
+    look_again_at<1>(u_2, corner.index_2, point);
   }
 
   /// The point that the pieces of `point`'s indices have for u; a ball has its centre whatever its index.
@@ -110,16 +111,16 @@ class CorePair {
   }
 
   template <int i>
-  void look_again_at(const Vector& u, std::int32_t index, const std::array<float, 3>& way, Point& point) {
+  void look_again_at(const Vector& u, std::int32_t index, Point& point) {
     const bool known = with_core(shape(i), [&](const auto& core) {
       point.index(i) = index;
       if (index >= 0 && index < core.vertex_count()) {
         frame_.put(i, core.vertex(index), point);
         return true;
       }
-      if constexpr (requires { core.along(u, index); }) {
+      if constexpr (requires { core.top_of_rim(u, index); }) {
         if (core.is_rim(index)) {
-          frame_.put(i, core.along({way[0], way[1], way[2]}, index), point);
+          frame_.put(i, core.top_of_rim(frame_.into(i, u), index), point);
           return true;
         }
       }

@@ -146,28 +146,24 @@ void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
   add_prisms(prisms(), u, point);
 }
 
+// What has a vertex on the one side is the highest point along what is fixed to that. Curves are along the
+// mean of what is fixed to either: the difference of points for the same direction is on the surface.
 Vector3 SpatialPair::support_again(const DepthMemory::Corner& corner, SpatialPoint& point) {
-  const auto& [x, y, z] = has_discs(shape(0)) ? corner.way_2 : corner.way_1;
-  const Vector3 u{x, y, z};
-  look_again(u, corner, point);
+  const auto vector = [](const std::array<float, 3>& way) { return Vector3{way[0], way[1], way[2]}; };
+  const bool curves = raygauge::is_curved(shape(0)) && raygauge::is_curved(shape(1));
+  Vector3 u_1 = frame_.R * vector(corner.way_1), u_2 = vector(corner.way_2);
+  if (curves) u_1 = u_2 = (u_1 + u_2) * 0.5;
+  look_again(u_1, u_2, corner, point);
   frame_.subtract(point);
-  add_prisms(prisms(), u, point);
-  return u;
+  add_prisms(prisms(), u_2, point);
+  return u_2;
 }
 
 DepthMemory::Corner SpatialPair::corner_of(const Vector3& u, const SpatialPoint& point) const {
-  const auto way = [&](int i, const Vector3& x) {
-    const std::int32_t index = point.index(i);
-    const Vector3 from = with_core(shape(i), [&](const auto& core) {
-      if constexpr (requires { core.way_to(x, index); })
-        return core.way_to(x, index);
-      else
-        return u;
-    });
-    return std::array<float, 3>{static_cast<float>(from.x), static_cast<float>(from.y),
-                                static_cast<float>(from.z)};
+  const auto way = [](const Vector3& v) {
+    return std::array<float, 3>{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   };
-  return {way(0, point.a1), way(1, frame_.to_second(point.a2)), point.index_1, point.index_2};
+  return {way(frame_.R.transposed_times(u)), way(u), point.index_1, point.index_2};
 }
 
 bool SpatialPair::follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed) const {

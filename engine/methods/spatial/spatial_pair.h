@@ -63,8 +63,7 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// s_D(u): of the cores.
   void support(const Vector3& u, SpatialPoint& point);
 
-  /// The point of D that `corner` names, made of vertices, points of rims, and of other cores the highest
-  /// point for the direction that is returned.
+  /// The point of D that `corner` names, and the direction that it is about the highest one along.
   Vector3 support_again(const DepthMemory::Corner& corner, SpatialPoint& point);
 
   /// How support_again() finds `point`, found for u, wherever the bodies are.

@@ -32,7 +32,7 @@ namespace raygauge {
 ///     there holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside
 ///     for
 ///                                 certain; x is highest for some unit vector v, and v·back is `height`
-///     way_to(x, i), along(way, i)         of a point x of rim i, and back
+///     top_of_rim(v, i)                    the highest point of rim i along v
 ///     ends_around(x)              of a core without area: the vertices between which x is
 ///     generators(use)             calls use(g) for the half edges whose segments [-g, g] add up to the core
 ///     top(v, tilt, end)           of a core that is not smooth: see count_highest()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/sets/cores/core_parts.h"
@@ -105,11 +106,10 @@ struct FrustumCore {
     return {*this, v};
   }
 
-  /// A rim has its points by the way from its centre, of any length.
+  /// The point of a rim that is the highest one along v.
   static constexpr bool is_rim(std::int32_t index) { return index == kBase || index == kTop; }
-  Vector3 way_to(const Vector3& x, std::int32_t rim) const { return x - center_of(rim); }
-  Vector3 along(const Vector3& way, std::int32_t rim) const {
-    return center_of(rim) + Across<double>(Axis<double>(shape), way).w * radius_of(rim);
+  Vector3 top_of_rim(const Vector3& v, std::int32_t rim) const {
+    return center_of(rim) + Across<double>(Axis<double>(shape), v).w * radius_of(rim);
   }
 
   /// The point of one rim, v not along the axis of its disc, or a line of the side.
@@ -218,8 +218,17 @@ inline double FrustumCore::way_out(const Vector3& y, Vector3& outward) const {
 
 template <class Real, class Use>
 void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSet isa, const Use& use) const {
-  constexpr double kCosine = 0.9807852804032304306,
-                   kSine = 0.1950903220161282481;  // of a turn / kFaceCorners
+  struct Turn {
+    double cosine, sine;
+  };
+  static const auto kTurns = [] {
+    std::array<Turn, kFaceCorners> all{};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const double angle = 6.283185307179586476925 * static_cast<double>(k) / kFaceCorners;
+      all[k] = {std::cos(angle), std::sin(angle)};
+    }
+    return all;
+  }();
   const View<Real> view = look(v, isa);
   const Real least = view.height(view.index) - Real{margin};
   const Vector3& axis = shape.axis.column[0];
@@ -227,10 +236,10 @@ void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSe
   const std::int32_t facing = along > 0 ? kTop : kBase;
   int corners = 0;
   if (std::fabs(along) > high(view.across.size) && radius_of(facing) > 0) {
-    Vector3 radial = any_orthogonal(axis) * radius_of(facing);
-    for (int k = 0; k < kFaceCorners; ++k) {
-      const BasicVector3<Real> x = vector_of<Real>(center_of(facing)) + vector_of<Real>(radial);
-      radial = radial * kCosine + cross(axis, radial) * kSine;
+    const Vector3 radial = any_orthogonal(axis) * radius_of(facing), tangent = cross(axis, radial);
+    for (const Turn& turn : kTurns) {
+      const BasicVector3<Real> x =
+          vector_of<Real>(center_of(facing)) + vector_of<Real>(radial * turn.cosine + tangent * turn.sine);
       if (dot(v, x) < least) continue;
       use(x);
       ++corners;

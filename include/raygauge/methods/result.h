@@ -88,9 +88,10 @@ struct DistanceResult {
 /// surface.
 class DepthMemory {
  public:
-  /// Of a difference of points, one of each body: a vertex or a rim by its index, and ...
+  /// A difference of two points: each is a vertex by its index, or the highest point, of a rim or of all. Its
+  /// direction is fixed to the other body, which it mostly rests on.
   struct Corner {
-    std::array<float, 3> way_1{}, way_2{};  ///< ... the way from a rim's centre, or the direction
+    std::array<float, 3> way_1{}, way_2{};  ///< of the first body in the frame of the second, and vice versa
     std::int32_t index_1 = -1, index_2 = -1;
   };
   struct Facet {
