@@ -51,7 +51,8 @@ struct Ladder::Due {
   }
   static bool known_overlap(const Ladder& ladder, const Ask& ask) {
     return ladder.has_depth_start_ && ladder.depth_start_.overlap && depth(ladder, ask) &&
-           !mesh(ladder, ask) && !half_space(ladder, ask);
+           ((ask.first.set.spatial_shape() != nullptr && ask.second.set.spatial_shape() != nullptr) ||
+            (!mesh(ladder, ask) && !half_space(ladder, ask)));
   }
   static bool depth(const Ladder& /*ladder*/, const Ask& ask) {
     const int n = ask.metric->dimension();
@@ -356,12 +357,7 @@ const SpatialPair* Ladder::known_pair(const Ask& ask) const {
 const DistanceResult& Ladder::growth(Ask& ask) {
   bodies_.begin();
   answer<Question::growth>(ask);
-  if (ask.pose_gradient != nullptr) {
-    const SpatialPair* pair = known_pair(ask);
-    const SpatialCombination* end = pair != nullptr && ask.is_known ? &bodies_.combination() : nullptr;
-    pose_gradients_.begin(ask.first, ask.second, pair, end, options_.instruction_set);
-    pose_gradients_.of_growth(answer_.distance, ask.about_origin, *ask.pose_gradient);
-  }
+  if (ask.pose_gradient != nullptr) find_growth_gradient(ask);
   return answer_.distance;
 }
 

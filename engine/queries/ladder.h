@@ -108,6 +108,7 @@ class Ladder {
   void tighten(const Ask& ask);
   void find_depth(const Ask& ask);
   void find_pose_gradient(const Ask& ask);
+  void find_growth_gradient(const Ask& ask);
   MeshDistanceSolver& mesh_solver();
   const SpatialPair* known_pair(const Ask& ask) const;
   double time_left() const;

@@ -217,9 +217,39 @@ void Ladder::find_pose_gradient(const Ask& ask) {
   if (gradient.kind != GradientKind::none) ++answer_.pose_gradient_evaluations;
 }
 
+// Curved bodies have normals that are off by the root of the gap, which may hide what is in contact: then
+// they are asked for a finer one.
+void Ladder::find_growth_gradient(const Ask& ask) {
+  constexpr double kFine = 1e-12;
+  const DistanceResult& growth = answer_.distance;
+  PoseGradient& gradient = *ask.pose_gradient;
+  const SpatialPair* pair = known_pair(ask);
+  const SpatialCombination* end = pair != nullptr && ask.is_known ? &bodies_.combination() : nullptr;
+  pose_gradients_.begin(ask.first, ask.second, pair, end, options_.instruction_set);
+  pose_gradients_.of_growth(growth, ask.about_origin, gradient);
+  if (gradient.kind == GradientKind::unique || end == nullptr || !(growth.lower > 0)) return;
+  if (growth.upper - growth.lower <= kFine * growth.upper) return;
+  DistanceOptions options = options_;
+  options.tolerance = kFine;
+  if (!bodies_.growth(ask.second, ask.first, ask.about_origin, options, ask.threshold, nullptr, outer_)) {
+    const ProvenBounds& proven = bodies_.proven();
+    outer_.lower = proven.bounds.lower();
+    outer_.upper = outer_.distance = proven.bounds.upper();
+    outer_.normal = Vector::Map(proven.normal, ask.first.dimension());
+  }
+  pose_gradients_.of_growth(outer_, ask.about_origin, gradient);
+  if (gradient.kind == GradientKind::none) pose_gradients_.of_growth(growth, ask.about_origin, gradient);
+}
+
+// The distance of bodies that meet has recorded the vertices that it ended at.
 void Ladder::find_depth(const Ask& ask) {
   DepthStart start;
-  if (has_depth_start_) start = {&depth_start_, &ask.warm->polytope};
+  if (has_depth_start_) {
+    depth_start_.count = ask.warm->count;
+    depth_start_.point_A = ask.warm->point_A;
+    depth_start_.point_Q = ask.warm->point_Q;
+    start = {&depth_start_, &ask.warm->polytope};
+  }
   start.is_kept = ask.warm != nullptr;
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_, start, answer_.distance.seconds,
                answer_.depth);

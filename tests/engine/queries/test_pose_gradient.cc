@@ -189,6 +189,7 @@ TEST(PoseGradient, OfGrowthDistancesAtACoarseToleranceIsNearlyThatOfCentralDiffe
         const Pose p1 = random_pose(random, 0.05), p2 = random_pose(random, 2);
         PoseGradient gradient;
         coarse.solve_about_centers({*A1, p1}, {*A2, p2}, nullptr, &gradient);
+        EXPECT_NE(gradient.kind, GradientKind::none) << name_1 << ' ' << name_2;
         if (gradient.kind != GradientKind::unique) continue;
         const auto value = [&, &first = *A1, &second = *A2](const Pose& a, const Pose& b) {
           return fine.solve_about_centers({first, a}, {second, b}).distance;
@@ -198,7 +199,7 @@ TEST(PoseGradient, OfGrowthDistancesAtACoarseToleranceIsNearlyThatOfCentralDiffe
       }
     }
   }
-  EXPECT_GE(known, 360);
+  EXPECT_GE(known, 398);
 }
 
 TEST(PoseGradient, OfGrowthDistancesByNewtonIsThatOfCentralDifferences) {
