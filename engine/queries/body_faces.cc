@@ -98,7 +98,7 @@ void BodyFaces::add(int i, const Vector3& x) {
   face_.add(i, factor_ == 1 ? x : about_[i] + (x - about_[i]) * factor_);
 }
 
-void BodyFaces::list(int i, double margin) {
+void BodyFaces::list_face(int i, double margin) {
   const SpatialShape& shape = pair_.shape(i);
   double room = margin;
   if (!is_between_ends(shape) && shape.inner_radius > shape.radius)
@@ -133,27 +133,17 @@ void BodyFaces::sample(int i, double margin) {
   }
 }
 
-void BodyFaces::list_faces(const Vector3& normal, double margin) {
+void BodyFaces::list(const Vector3& normal, double margin) {
   constexpr double kLeastMargin = 1e-7;  // of the width: what a normal may be off by
   normal_ = has_shapes_ ? pair_.frame().to_body(&normal.x) : normal;
   face_.begin(normal_);
   for (int i = 0; i < 2; ++i) {
     if (has_shapes_) {
-      list(i, margin);
+      list_face(i, margin);
     } else {
       sample(i, std::max(margin, kLeastMargin * width_[i]));
     }
   }
-}
-
-bool BodyFaces::has_crossing_edges(const Vector3& normal, double margin, double crossing) {
-  list_faces(normal, margin);
-  return face_.are_crossing_segments(crossing);
-}
-
-bool BodyFaces::find(const Vector3& normal, double margin, double beside, double crossing) {
-  list_faces(normal, margin);
-  return face_.find(noise_ * std::max(1.0, factor_), beside, crossing);
 }
 
 Vector3 BodyFaces::to_world(int i, const Vector3& point) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -35,19 +36,20 @@ class BodyFaces {
   /// From now on the faces are those of the bodies scaled by `factor`.
   void scale(BodyScaling scaling, double factor);
 
-  /// The common part of the points that are at most `margin` below the support planes across `normal`, of
-  /// length 1 in the world, which points from A1 to A2. `beside` and `crossing`: see CommonFace::find. False
-  /// if there is none.
-  bool find(const Vector3& normal, double margin, double beside, double crossing);
+  /// The faces are now the points that are at most `margin` below the support planes across `normal`, of
+  /// length 1 in the world, which points from A1 to A2.
+  void list(const Vector3& normal, double margin);
 
-  /// Whether the faces across it are two edges that cross, see CommonFace::are_crossing_segments.
-  bool has_crossing_edges(const Vector3& normal, double margin, double crossing);
+  /// Their common part, see CommonFace::find. False if there is none.
+  bool find(double beside, double crossing) {
+    return face_.find(noise_ * std::max(1.0, factor_), beside, crossing);
+  }
 
   /// Of the cores, in the frame of the faces: a point of body i in the world, what its ball adds included.
   CommonFace& face() noexcept { return face_; }
   Vector3 to_world(int i, const Vector3& point) const;
 
-  /// The normal of the last find(), in the frame of the faces.
+  /// The normal of the last list(), in the frame of the faces.
   const Vector3& normal() const noexcept { return normal_; }
 
   /// What the balls of both bodies take off the gap between the points of a pair, along normal().
@@ -81,8 +83,7 @@ class BodyFaces {
   void take_pair();
   bool bind_views(const Posed& A1, const Posed& A2);
   void add(int i, const Vector3& x);
-  void list(int i, double margin);
-  void list_faces(const Vector3& normal, double margin);
+  void list_face(int i, double margin);
   void sample(int i, double margin);
   double height(int i, const Vector3& u, Vector3& point) const;
   Vector3 into(int i, const Vector3& outward) const;

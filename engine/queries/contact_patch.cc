@@ -120,13 +120,14 @@ const ContactPatch& ContactPatchSolver::Work::solve(const Posed& A1, const Posed
   if (patch_.lower > margin || !faces_.bind(A1, A2, isa_)) return patch_;
   const Vector &point_1 = apart ? found.closest_point_1 : found.depth.point_1,
                &point_2 = apart ? found.closest_point_2 : found.depth.point_2;
-  if (has_one_point(faces_.pair()) && point_1.size() == n && point_2.size() == n) {
+  const SpatialPair* const pair = point_1.size() == n && point_2.size() == n ? faces_.pair() : nullptr;
+  const bool is_round = has_one_point(pair);
+  if (!is_round) faces_.list(patch_.normal, std::max(margin - (apart ? patch_.upper : patch_.lower), 0.0));
+  if (is_round || (pair != nullptr && faces_.face().has_vertex())) {
     take_closest(point_1, point_2);
     return patch_;
   }
-  const double room = std::max(margin - (apart ? patch_.upper : patch_.lower), 0.0);
-  const bool lacks_closest =
-      !faces_.find(patch_.normal, room, margin, kCrossing) || take_faces(std::max(margin, patch_.upper));
+  const bool lacks_closest = !faces_.find(margin, kCrossing) || take_faces(std::max(margin, patch_.upper));
   if (lacks_closest || patch_.count == 0) take_closest(point_1, point_2);
   return patch_;
 }

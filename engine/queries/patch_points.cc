@@ -4,16 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace raygauge {
 namespace {
 
+constexpr std::int32_t kGone = -1;
+
 GapPair between(const GapPair& a, const GapPair& b, double share) {
   const auto mix = [share](const Vector3& p, const Vector3& q) { return p + (q - p) * share; };
   return {{mix(a.pair.point_1, b.pair.point_1), mix(a.pair.point_2, b.pair.point_2), -1},
-          a.gap + (b.gap - a.gap) * share,
-          0,
-          0};
+          a.gap + (b.gap - a.gap) * share};
 }
 
 // Corners that lose the same but for rounding and small motions: those with odd numbers go first, then those
@@ -30,6 +31,8 @@ double rank_of(std::int32_t index) {
 }  // namespace
 
 void PatchPoints::keep_within(double gap) {
+  if (std::all_of(pairs_.begin(), pairs_.end(), [gap](const GapPair& pair) { return pair.gap <= gap; }))
+    return;
   other_.clear();
   const std::size_t count = pairs_.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,30 +52,40 @@ double PatchPoints::least_gap() const {
   return least;
 }
 
-double PatchPoints::loss(const Vector3& normal, std::size_t i, double widest, double margin) const {
-  constexpr double kNearer = 8;
-  const std::size_t count = pairs_.size();
-  const Vector3 &at = pairs_[i].pair.point_1, &before = pairs_[(i + count - 1) % count].pair.point_1,
-                &after = pairs_[(i + 1) % count].pair.point_1;
-  const double area = std::fabs(dot(normal, cross(at - before, after - before)));
-  const double nearer = margin > 0 ? (widest - pairs_[i].gap) / margin : 0.0;
-  return area * pairs_[i].rank * (1 + kNearer * nearer);
+void PatchPoints::weigh(const Vector3& normal, std::int32_t i, double widest, double margin) {
+  constexpr double kNearer = 8, kLargest = std::numeric_limits<double>::max();
+  const GapPair& here = at(i);
+  const Vector3 &x = here.pair.point_1, &before = at(here.before).pair.point_1,
+                &after = at(here.after).pair.point_1;
+  const double area = std::fabs(dot(normal, cross(x - before, after - before)));
+  const double nearer = margin > 0 ? (widest - here.gap) / margin : 0.0;
+  losses_.open(i, std::min(kLargest, area * here.rank * (1 + kNearer * nearer)));  // also of no number
 }
 
 void PatchPoints::reduce(const Vector3& normal, int most, double margin) {
-  if (static_cast<int>(pairs_.size()) <= most) return;
+  const auto count = static_cast<std::int32_t>(pairs_.size());
+  if (count <= most) return;
   double widest = -__builtin_inf();
-  for (const GapPair& pair : pairs_) widest = std::max(widest, pair.gap);
-  for (GapPair& pair : pairs_) pair.rank = rank_of(pair.pair.index);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].loss = loss(normal, i, widest, margin);
-  while (static_cast<int>(pairs_.size()) > most) {
-    const auto least = std::min_element(pairs_.begin(), pairs_.end(),
-                                        [](const GapPair& a, const GapPair& b) { return a.loss < b.loss; });
-    const std::size_t at = static_cast<std::size_t>(pairs_.erase(least) - pairs_.begin());
-    const std::size_t count = pairs_.size();
-    for (const std::size_t i : {(at + count - 1) % count, at % count})
-      pairs_[i].loss = loss(normal, i, widest, margin);
+  for (std::int32_t i = 0; i < count; ++i) {
+    GapPair& pair = at(i);
+    widest = std::max(widest, pair.gap);
+    pair.rank = rank_of(pair.pair.index);
+    pair.before = i > 0 ? i - 1 : count - 1;
+    pair.after = i + 1 < count ? i + 1 : 0;
   }
+  losses_.clear();
+  losses_.resize(count);
+  for (std::int32_t i = 0; i < count; ++i) weigh(normal, i, widest, margin);
+  for (std::int32_t left = count; left > most; --left) {
+    const std::int32_t gone = losses_.least().facet;
+    const GapPair& pair = at(gone);
+    losses_.close(gone);
+    at(pair.before).after = pair.after;
+    at(pair.after).before = pair.before;
+    for (const std::int32_t i : {pair.before, pair.after}) weigh(normal, i, widest, margin);
+    at(gone).before = kGone;
+  }
+  std::erase_if(pairs_, [](const GapPair& pair) { return pair.before == kGone; });
 }
 
 }  // namespace raygauge

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "engine/methods/bodies/open_facets.h"
 #include "engine/methods/spatial/common_face.h"
 
 namespace raygauge {
@@ -12,8 +13,8 @@ namespace raygauge {
 struct GapPair {
   FacePair pair;
   double gap = 0;
-  double loss = 0;  ///< what the patch loses without it: see PatchPoints::reduce
-  double rank = 0;  ///< of its number, by which equal losses differ
+  double rank = 0;                     ///< of its number, by which equal losses differ
+  std::int32_t before = 0, after = 0;  ///< the neighbours that are left
 };
 
 /// The corners of a convex patch of contact, in order. It keeps its memory.
@@ -35,9 +36,11 @@ class PatchPoints {
   void reduce(const Vector3& normal, int most, double margin);
 
  private:
-  double loss(const Vector3& normal, std::size_t i, double widest, double margin) const;
+  GapPair& at(std::int32_t i) { return pairs_[static_cast<std::size_t>(i)]; }
+  void weigh(const Vector3& normal, std::int32_t i, double widest, double margin);
 
   std::vector<GapPair> pairs_, other_;
+  OpenFacets losses_;  // of the corners that are left: what the patch loses without them
 };
 
 }  // namespace raygauge

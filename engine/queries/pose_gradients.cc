@@ -183,10 +183,9 @@ PoseGradient::Candidate PoseGradients::candidate(const Vector3& by_translation, 
   return made;
 }
 
-// All pairs of points that are optimal for one normal: n of length 1, from A1 to A2.
-void PoseGradients::add_candidates(const Vector3& by_translation, const Vector3& n, int number,
-                                   PoseGradient& gradient) {
-  if (!faces_.find(n, kTilt * faces_.size(), kTilt * faces_.size(), kParallel)) return;
+// All pairs of points that are optimal for one normal, across which the faces are listed.
+void PoseGradients::add_candidates(const Vector3& by_translation, int number, PoseGradient& gradient) {
+  if (!faces_.find(kTilt * faces_.size(), kParallel)) return;
   for (const FacePair& pair : faces_.face().pairs()) {
     gradient.candidates.push_back(
         candidate(by_translation, faces_.to_world(0, pair.point_1), faces_.to_world(1, pair.point_2)));
@@ -223,11 +222,11 @@ void PoseGradients::of_faces(const ObjectDistance& answer, const Vector3& by_tra
                              PoseGradient& gradient) {
   const Vector3 way = by_translation * (-1 / length(by_translation));
   const bool bound = bind();
-  if (bound && other_normals_.empty() && faces_.has_crossing_edges(way, kTilt * faces_.size(), kParallel))
-    return;
+  if (bound) faces_.list(way, kTilt * faces_.size());
+  if (bound && other_normals_.empty() && faces_.face().are_crossing_segments(kParallel)) return;
   gradient.kind = GradientKind::undecided;
   if (!bound) return;
-  add_candidates(by_translation, way, 0, gradient);
+  add_candidates(by_translation, 0, gradient);
   const std::size_t own = gradient.candidates.size();
   int number = 0;
   const double most =
@@ -235,7 +234,8 @@ void PoseGradients::of_faces(const ObjectDistance& answer, const Vector3& by_tra
   for (const Vector3& other : other_normals_) {
     if (!(faces_.overlap(-other) <= most)) continue;
     const std::size_t before = gradient.candidates.size();
-    add_candidates(other * length(by_translation), -other, ++number, gradient);
+    faces_.list(-other, kTilt * faces_.size());
+    add_candidates(other * length(by_translation), ++number, gradient);
     if (gradient.candidates.size() == before) return;
   }
   if (own == 0) return;
@@ -247,8 +247,8 @@ void PoseGradients::of_faces(const ObjectDistance& answer, const Vector3& by_tra
 bool PoseGradients::find_contact(const Vector3& n, double tilt) {
   constexpr double kFarBeside = 1e-2;
   const double size = faces_.size();
-  return faces_.find(n, tilt * size, std::max(tilt, kBeside) * size, kParallel) ||
-         faces_.find(n, tilt * size, kFarBeside * size, kParallel);
+  faces_.list(n, tilt * size);
+  return faces_.find(std::max(tilt, kBeside) * size, kParallel) || faces_.find(kFarBeside * size, kParallel);
 }
 
 // Of the last contact: whether no other plane separates the bodies there.

@@ -55,7 +55,7 @@ class PoseGradients {
            Twist& body_2) const;
   void of_faces(const ObjectDistance& answer, const Vector3& by_translation, PoseGradient& gradient);
   Candidate candidate(const Vector3& by_translation, const Vector3& x1, const Vector3& x2) const;
-  void add_candidates(const Vector3& by_translation, const Vector3& n, int number, PoseGradient& gradient);
+  void add_candidates(const Vector3& by_translation, int number, PoseGradient& gradient);
   bool find_contact(const Vector3& n, double tilt);
   bool has_one_normal();
 

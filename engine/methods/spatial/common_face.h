@@ -31,6 +31,9 @@ class CommonFace {
 
   void add(int i, const Vector3& x) { side_[i].points.push_back(x); }
 
+  /// Whether one of the faces is a single point that was added.
+  bool has_vertex() const noexcept { return side_[0].points.size() == 1 || side_[1].points.size() == 1; }
+
   /// `noise`: what rounding may move a point by. `beside`: how far beside each other two faces may be that
   /// have nothing in common otherwise, and that segments may be in any case, unless the sine of the angle
   /// between them is above `crossing`: those have one point in common. False, and there are no pairs, where

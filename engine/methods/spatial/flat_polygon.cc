@@ -17,12 +17,20 @@ double square(const FlatPoint& a, const FlatPoint& b) {
   return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
 }
 
+bool is_before(const FlatPoint& a, const FlatPoint& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
 double distance(const FlatPoint& a, const FlatPoint& b) { return std::sqrt(square(a, b)); }
 
 // Of p from the line through a and b, to its left.
 double to_the_left(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p) {
   const double size = distance(a, b);
   return size > 0 ? cross(a, b, p) / size : -distance(a, p);
+}
+
+// Whether p is farther to the right of that line than `noise`.
+bool is_beside(const FlatPoint& a, const FlatPoint& b, const FlatPoint& p, double noise) {
+  const double of_line = square(a, b), area = cross(a, b, p);
+  return of_line > 0 ? area < 0 && area * area > noise * noise * of_line : distance(a, p) > noise;
 }
 
 const FlatPoint& farthest(const std::vector<FlatPoint>& points, const FlatPoint& from) {
@@ -39,8 +47,19 @@ const FlatPoint& farthest(const std::vector<FlatPoint>& points, const FlatPoint&
 
 }  // namespace
 
+// Whether no line is near the first three corners: of a triangle one corner is at least half of its least
+// height from any line.
+bool FlatPolygon::is_wide(double noise) const {
+  if (corners_.size() < 3) return false;
+  const FlatPoint &a = corners_[0], &b = corners_[1], &c = corners_[2];
+  const double around =
+      std::fabs(b.x - a.x) + std::fabs(b.y - a.y) + std::fabs(c.x - a.x) + std::fabs(c.y - a.y);
+  return std::fabs(cross(a, b, c)) > 4 * noise * around;
+}
+
 // True where the points are as good as one or two.
 bool FlatPolygon::shrink(double noise) {
+  if (is_wide(noise)) return false;
   const FlatPoint first = farthest(corners_, middle()), second = farthest(corners_, first);
   const double width = distance(first, second);
   const bool is_point = !(width > noise);
@@ -51,11 +70,30 @@ bool FlatPolygon::shrink(double noise) {
   return true;
 }
 
+// True where the corners go around once, in whichever sense, without a straight angle, as those of a disc do;
+// then they begin with the first of their x and go to the left.
+bool FlatPolygon::order() {
+  constexpr std::size_t kFew = 12;  // are sorted as fast
+  const std::size_t count = corners_.size();
+  if (count < kFew) return false;
+  if (cross(corners_[0], corners_[1], corners_[2]) < 0) std::reverse(corners_.begin(), corners_.end());
+  std::size_t first = 0;
+  int ends = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const FlatPoint &before = corners_[i > 0 ? i - 1 : count - 1], &at = corners_[i],
+                    &after = corners_[i + 1 < count ? i + 1 : 0];
+    if (!(cross(before, at, after) > 0)) return false;
+    ends += is_before(at, before) && is_before(at, after) ? 1 : 0;
+    first = is_before(at, corners_[first]) ? i : first;
+  }
+  if (ends != 1) return false;
+  std::rotate(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(first), corners_.end());
+  return true;
+}
+
 // The monotone chain (Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
-void FlatPolygon::make_hull(double noise) {
-  if (corners_.size() < 2 || shrink(noise)) return;
-  std::sort(corners_.begin(), corners_.end(),
-            [](const FlatPoint& a, const FlatPoint& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+void FlatPolygon::make_chain() {
+  std::sort(corners_.begin(), corners_.end(), is_before);
   other_.clear();
   std::size_t floor = 2;
   const auto take = [&](const FlatPoint& p) {
@@ -66,19 +104,28 @@ void FlatPolygon::make_hull(double noise) {
   floor = other_.size() + 1;
   std::for_each(corners_.rbegin() + 1, corners_.rend(), take);
   other_.pop_back();
+}
+
+void FlatPolygon::make_hull(double noise) {
+  if (corners_.size() < 2 || shrink(noise)) return;
+  if (order())
+    std::swap(corners_, other_);
+  else
+    make_chain();
   corners_.clear();
   const std::size_t count = other_.size();
   for (std::size_t i = 0; i < count; ++i) {
     const FlatPoint& before = corners_.empty() ? other_.back() : corners_.back();
-    if (-to_the_left(before, other_[(i + 1) % count], other_[i]) > noise) corners_.push_back(other_[i]);
+    if (is_beside(before, other_[i + 1 < count ? i + 1 : 0], other_[i], noise)) corners_.push_back(other_[i]);
   }
   if (count >= 3 && corners_.size() < 3) corners_ = other_;
 }
 
 void FlatPolygon::cut(const FlatPoint& a, double x, double y, double offset, std::int32_t number) {
-  const double size = std::sqrt(x * x + y * y);
-  if (!(size > 0) || corners_.empty()) return;
   const auto area = [&](const FlatPoint& p) { return x * (p.y - a.y) - y * (p.x - a.x); };
+  if (std::all_of(corners_.begin(), corners_.end(), [&](const FlatPoint& p) { return area(p) >= 0; })) return;
+  const double size = std::sqrt(x * x + y * y);
+  if (!(size > 0)) return;
   const auto height = [&](const FlatPoint& p) { return area(p) / size + offset; };
   const auto is_kept = [&](const FlatPoint& p) { return area(p) >= 0 || height(p) >= 0; };  // offset >= 0
   const std::size_t count = corners_.size();

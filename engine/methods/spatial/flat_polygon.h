@@ -49,7 +49,10 @@ class FlatPolygon {
   FlatPoint middle() const;
 
  private:
+  bool is_wide(double noise) const;
   bool shrink(double noise);
+  bool order();
+  void make_chain();
 
   std::vector<FlatPoint> corners_, other_;
 };
