@@ -143,6 +143,24 @@ TEST(ContactPatch, OfAnEdgeHasTwoPointsAndOfAVertexOne) {
   expect_points(patch, {V(0, 0.25, r)}, 1e-9);
 }
 
+// Whatever of the other body is within the margin.
+TEST(ContactPatch, OfAVertexAboveAnEdgeIsTheirClosestPair) {
+  Eigen::MatrixXd points(3, 4);
+  points << 0, 5, -5, 0,  //
+      0, 5, 5, -5,        //
+      0, 20, 20, 20;
+  const Box cube(V(-1, -1, -1), V(1, 1, 1));
+  const PreparedSet needle(points);
+  const V n = V(1, 0, 1).normalized();
+  ContactPatchSolver solver;
+  const ContactPatch& patch =
+      solver.solve({cube}, {needle, turned(V(0, 1, 0), M_PI / 4, V(1, 0, 1) + 0.5 * n)}, 3);
+  expect_points(patch, {V(1, 0, 1) + 0.5 * n});
+  EXPECT_LT((of(patch.points[0].point_1) - V(1, 0, 1)).norm(), kRounding);
+  EXPECT_NEAR(patch.points[0].gap, 0.5, kRounding);
+  EXPECT_LE(patch.error, kProven);
+}
+
 TEST(ContactPatch, OfABallIsOnePoint) {
   ContactPatchSolver solver;
   const Ball ball(V(0, 0, 0), 0.5);

@@ -166,6 +166,29 @@ TEST(WarmDepth, GoesOnFromThePolytopeOfBefore) {
   EXPECT_LE(most, kMostCorners);
 }
 
+// The rim of a cylinder rests on a box: its points are those that the box's faces see.
+TEST(WarmDepth, OfACylinderThatTiltsOnABoxIsProvenByThePolytopeOfBefore) {
+  const Box floor(V(-2, -2, -1), V(2, 2, 0));
+  const Cylinder cylinder(V(0, 0, -0.5), V(0, 0, 0.5), 0.5);
+  const Pose leaning = step(V(3, 2, 1), 0.7, V(0.1, 0.2, 0.68));
+  ObjectDistanceSolver solver;
+  for (const bool swapped : {false, true}) {
+    WarmStart warm;
+    Pose pose = leaning;
+    const auto solve = [&]() -> const ObjectDepth& {
+      const Posed one{floor}, two{cylinder, pose};
+      return solver.solve(swapped ? two : one, swapped ? one : two, euclidean(), kWanted, &warm).depth;
+    };
+    EXPECT_GT(solve().iterations, 2);
+    for (int frame = 0; frame < 5; ++frame) {
+      pose = step(V(1, 2, 3), 0.01, V(0.001, 0.001, -0.001)).after(pose);
+      const ObjectDepth& depth = solve();
+      EXPECT_GT(depth.lower, 0);
+      EXPECT_LE(depth.iterations, 1);
+    }
+  }
+}
+
 // A warm start of other bodies, of another metric or of nonsense costs time only.
 TEST(WarmDepth, FromAnyOtherPairIsProvenAllTheSame) {
   Random random(64);
