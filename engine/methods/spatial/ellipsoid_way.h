@@ -58,8 +58,8 @@ struct EllipsoidWay {
   double lower() const noexcept { return (height - root) * scale; }
   double upper(const Matrix3& axes, const Vector3& x) const noexcept {
     const double mu = least - t;
-    return mu > 0 ? -std::sqrt(mu * std::max(0.0, 1 - height))
-                  : length(x - axes * Vector3{q[0], q[1], q[2]} * (1 / root));
+    return mu > 0 && height <= 1 ? -std::sqrt(mu * (1 - height))
+                                 : length(x - axes * Vector3{q[0], q[1], q[2]} * (1 / root));
   }
 
   double square[3], least = 0, t = 0, q[3], root = 1, height = 0, scale = 0;

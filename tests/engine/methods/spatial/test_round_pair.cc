@@ -192,6 +192,21 @@ TEST(RoundPair, KnowsTheWayOutOfEllipsoids) {
   EXPECT_FALSE(solve(Ellipsoid(V::Zero(), skew), ball, {}, {}, found));
 }
 
+// A hair outside, where Newton's steps may end inside.
+TEST(RoundPair, OfPointsOnEllipsoidsHasBoundsThatAgree) {
+  Random random(7);
+  std::uniform_real_distribution<double> power(-1.7, 0.7), hair(-15, -11);
+  const Ball point(V::Zero(), 0.0);
+  for (int i = 0; i < 20000; ++i) {
+    const V half(std::pow(10, power(random)), std::pow(10, power(random)), std::pow(10, power(random)));
+    const Pose at(Eigen::Matrix3d::Identity(),
+                  half.cwiseProduct(gaussian(random).normalized()) * (1 + std::pow(10, hair(random))));
+    RoundPair found{};
+    solve(Ellipsoid(V::Zero(), Eigen::MatrixXd(half.asDiagonal())), point, {}, PoseNumbers(&at), found);
+    EXPECT_LE(found.lower, found.upper);
+  }
+}
+
 // On the shortest axis, of half length a, y from the middle: a - y. Farther out than a - b²/a on the longest.
 TEST(RoundPair, OfABallInAnEllipsoidIsTheKnownWayAlongAnAxis) {
   const Ellipsoid ellipsoid(V::Zero(), Eigen::MatrixXd(V(2, 1, 1.5).asDiagonal()));
