@@ -227,7 +227,8 @@ void Ladder::find_growth_gradient(const Ask& ask) {
   const SpatialCombination* end = pair != nullptr && ask.is_known ? &bodies_.combination() : nullptr;
   pose_gradients_.begin(ask.first, ask.second, pair, end, options_.instruction_set);
   pose_gradients_.of_growth(growth, ask.about_origin, gradient);
-  if (gradient.kind == GradientKind::unique || end == nullptr || !(growth.lower > 0)) return;
+  const bool is_known = gradient.kind == GradientKind::unique || gradient.kind == GradientKind::one_sided;
+  if (is_known || end == nullptr || !(growth.lower > 0)) return;
   if (growth.upper - growth.lower <= kFine * growth.upper) return;
   DistanceOptions options = options_;
   options.tolerance = kFine;
