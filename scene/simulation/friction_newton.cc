@@ -7,16 +7,18 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/simulation/friction_passes.h"
-
 namespace raygauge {
 namespace {
 
-constexpr int kMostSteps = 30;
-constexpr int kMostHalves = 16;      // of one step
-constexpr double kSteep = 1e4;       // times ρ: bodies that slip by little are told from such that stick
-constexpr double kEnough = 1e-12;    // residual that ends the steps
-constexpr double kRedundant = 1e-9;  // of W: contacts of one face on another share what they carry at will
+constexpr int kMostRounds = 60;
+constexpr int kPatience = 15;                    // rounds within which the residual is to fall to half
+constexpr int kMostSteps = 12, kMostHalves = 4;  // of a round, and of a step
+constexpr double kFirstSoftness = 1e-3;          // κ, relative to W, ...
+constexpr double kLeastSoftness = 1e-9, kMostSoftness = 1;
+constexpr double kStiffer = 0.3, kSofter = 10;  // ... and how it changes
+constexpr int kSoon = 2;                        // steps of a round after which κ falls twice
+constexpr double kClose = 1e-3;                 // of F: that ends a round
+constexpr double kFailed = 0.1;                 // of F: more than that at its end
 
 auto part_of(const Eigen::VectorXd& r, std::size_t c) {
   return r.segment<3>(3 * static_cast<Eigen::Index>(c));
@@ -25,91 +27,102 @@ auto part_of(const Eigen::VectorXd& r, std::size_t c) {
 }  // namespace
 
 IslandNewton::IslandNewton(const FrictionIsland& island, double bound)
-    : island_(island), bound_(bound), rows_(island.contacts.size()), factors_(island) {
+    : island_(island),
+      bound_(bound),
+      size_of_q_(island.size_of_q()),
+      step_(3 * static_cast<Eigen::Index>(island.contacts.size())),
+      rows_(island.contacts.size()),
+      factors_(island) {
   for (std::size_t c = 0; c < rows_.size(); ++c) {
     const IslandContact& contact = island.contacts[c];
     const Eigen::Matrix3d W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
-    rows_[c].rho = 1 / std::max(W.norm(), 1e-300);
+    rows_[c].size = std::max(W.norm(), 1e-300);
     largest_ = std::max(largest_, W.diagonal().maxCoeff());
   }
 }
 
-// |F|.
+// F of the contact c.
+Eigen::Vector3d IslandNewton::lacks(std::size_t c, const Eigen::Vector3d& r, const Eigen::Vector3d& u) const {
+  const double rho = steepness_ / rows_[c].size, mu = island_.contacts[c].mu;
+  Eigen::Vector3d F = r;
+  const double a = r[0] - rho * u[0];
+  if (!(a > 0)) return F;
+  F[0] = rho * u[0];
+  if (!(mu > 0)) return F;
+  const Eigen::Vector2d y = (r - rho * u).tail<2>();
+  const double length = y.norm(), radius = mu * a;
+  if (length <= radius)
+    F.tail<2>() = rho * u.tail<2>();
+  else
+    F.tail<2>() -= radius / length * y;
+  return F;
+}
+
+// |F|, where the velocities of r are known.
 double IslandNewton::look(const Eigen::VectorXd& r) {
-  velocities_.reset(island_, r);
   double square = 0;
   for (std::size_t c = 0; c < rows_.size(); ++c) {
-    look_at(c, part_of(r, c));
-    square += rows_[c].F.squaredNorm();
+    Row& row = rows_[c];
+    row.u = velocities_.of(island_.contacts[c]) + softness_ * (part_of(r, c) - part_of(anchor_, c));
+    row.F = lacks(c, part_of(r, c), row.u);
+    square += row.F.squaredNorm();
   }
   return std::sqrt(square);
 }
 
-void IslandNewton::look_at(std::size_t c, const Eigen::Vector3d& r) {
-  Row& row = rows_[c];
-  const double rho = factor_ * row.rho, mu = island_.contacts[c].mu;
-  row.u = velocities_.of(island_.contacts[c]) + softness_ * r;
-  row.F = r;
-  const double a = r[0] - rho * row.u[0];
-  if (!(a > 0)) return;
-  row.F[0] = rho * row.u[0];
-  if (!(mu > 0)) return;
-  const Eigen::Vector2d y = (r - rho * row.u).tail<2>();
-  const double length = y.norm(), radius = mu * a;
-  if (length <= radius)
-    row.F.tail<2>() = rho * row.u.tail<2>();
-  else
-    row.F.tail<2>() -= radius / length * y;
+// |F| after a share of the step from r, which was looked at last.
+double IslandNewton::after(double share, const Eigen::VectorXd& r) const {
+  double square = 0;
+  for (std::size_t c = 0; c < rows_.size(); ++c) {
+    const Eigen::Vector3d u = rows_[c].u + share * rows_[c].by_step;
+    square += lacks(c, part_of(r, c) + share * part_of(step_, c), u).squaredNorm();
+  }
+  return std::sqrt(square);
 }
 
 void IslandNewton::take_slope(std::size_t c, const Eigen::Vector3d& r) {
   Row& row = rows_[c];
-  const double rho = factor_ * row.rho, mu = island_.contacts[c].mu;
+  const double rho = steepness_ / row.size, mu = island_.contacts[c].mu, a = r[0] - rho * row.u[0];
+  row.inverse.setIdentity();
+  row.by_y.setZero();
+  if (!(a > 0)) return;
   Eigen::Matrix3d A = Eigen::Matrix3d::Identity(), B = Eigen::Matrix3d::Zero();
-  const double a = r[0] - rho * row.u[0];
-  if (a > 0) {
-    A(0, 0) = 0;
-    B(0, 0) = rho;
-  }
-  if (a > 0 && mu > 0) {
+  A(0, 0) = 0;
+  B(0, 0) = rho;
+  if (mu > 0) {
     const Eigen::Vector2d y = (r - rho * row.u).tail<2>();
     const double length = y.norm(), radius = mu * a;
     if (length <= radius) {
-      A.bottomRightCorner<2, 2>().setZero();
-      B.bottomRightCorner<2, 2>() = rho * Eigen::Matrix2d::Identity();
-    } else {
-      const Eigen::Vector2d way = y / length;
-      const Eigen::Matrix2d across = radius / length * (Eigen::Matrix2d::Identity() - way * way.transpose());
-      A.bottomRightCorner<2, 2>() -= across;
-      A.bottomLeftCorner<2, 1>() = -mu * way;
-      B.bottomRightCorner<2, 2>() = rho * across;
-      B.bottomLeftCorner<2, 1>() = mu * rho * way;
+      row.by_y.diagonal().setConstant(1 / softness_);
+      row.inverse.diagonal().setConstant(1 / (softness_ * rho));
+      return;
     }
+    const Eigen::Vector2d way = y / length;
+    const Eigen::Matrix2d across = radius / length * (Eigen::Matrix2d::Identity() - way * way.transpose());
+    A.bottomRightCorner<2, 2>() -= across;
+    A.bottomLeftCorner<2, 1>() = -mu * way;
+    B.bottomRightCorner<2, 2>() = rho * across;
+    B.bottomLeftCorner<2, 1>() = mu * rho * way;
   }
-  row.inverse = (A + (softness_ + kRedundant * largest_) * B).inverse();
+  row.inverse = (A + softness_ * B).inverse();
   row.by_y = row.inverse * B;
 }
 
-double IslandNewton::residual(const Eigen::VectorXd& r) const {
-  const double s = step_of(bound_ + softness_);
-  double square = 0;
-  for (std::size_t c = 0; c < rows_.size(); ++c)
-    square += law_error(island_.contacts[c].mu, rows_[c].u, s, part_of(r, c));
-  return std::sqrt(square) / (s * size_of_q_);
-}
-
 // From r, which was looked at last.
-Eigen::VectorXd IslandNewton::step(const Eigen::VectorXd& r) {
+void IslandNewton::find_step(const Eigen::VectorXd& r) {
   factors_.set_identity();
-  BodyFactors::Columns y = BodyFactors::Columns::Zero(6, island_.bodies);
+  y_.setZero(6, island_.bodies);
   for (std::size_t c = 0; c < rows_.size(); ++c) {
     take_slope(c, part_of(r, c));
     const IslandContact& contact = island_.contacts[c];
     const Row& row = rows_[c];
     const Eigen::Vector3d by_F = row.inverse * row.F;
+    step_.segment<3>(3 * static_cast<Eigen::Index>(c)) = -by_F;
+    const bool is_open = row.by_y(0, 0) == 0;
     for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
       if (i < 0) continue;
-      y.col(i).noalias() -= *G * by_F;
+      y_.col(i).noalias() -= *G * by_F;
+      if (is_open) continue;
       const ContactSlope moved = *G * row.by_y;
       for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
         if (j >= 0) factors_.add(i, j, moved * H->transpose());
@@ -117,65 +130,62 @@ Eigen::VectorXd IslandNewton::step(const Eigen::VectorXd& r) {
     }
   }
   factors_.factorize();
-  factors_.solve(y);
-  Eigen::VectorXd change(r.size());
+  factors_.solve(y_);
   for (std::size_t c = 0; c < rows_.size(); ++c) {
     const IslandContact& contact = island_.contacts[c];
     Eigen::Vector3d u = Eigen::Vector3d::Zero();
-    if (contact.a >= 0) u += contact.A_a.transpose() * y.col(contact.a);
-    if (contact.b >= 0) u += contact.A_b.transpose() * y.col(contact.b);
-    change.segment<3>(3 * static_cast<Eigen::Index>(c)) =
-        -(rows_[c].inverse * rows_[c].F) - rows_[c].by_y * u;
+    if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y_.col(contact.a);
+    if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y_.col(contact.b);
+    auto step = step_.segment<3>(3 * static_cast<Eigen::Index>(c));
+    step.noalias() -= rows_[c].by_y * u;
+    rows_[c].by_step = u + softness_ * step;
   }
-  return change;
 }
 
-double IslandNewton::descend(double factor, double best, Eigen::VectorXd& r) {
-  factor_ = factor;
-  Eigen::VectorXd here = r;
-  double size = look(here);
-  for (int k = 0; k < kMostSteps && best > (softness_ > 0 ? kSolvedFriction : kEnough); ++k) {
-    const Eigen::VectorXd step = this->step(here);
-    if (!step.allFinite()) break;
-    double share = 1, next = look(here + step);
+// The problem of soft contacts about r, from there. Gives how many steps it took; kMostSteps + 1: it is not
+// solved.
+int IslandNewton::solve_soft(Eigen::VectorXd& r) {
+  anchor_ = r;
+  const double first = look(r);
+  double size = first;
+  int k = 0;
+  for (; k < kMostSteps && size > kClose * first; ++k) {
+    find_step(r);
+    double share = 1, next = after(1, r);
     for (int half = 0; half < kMostHalves && !(next < (1 - share / 4) * size); ++half) {
       share /= 2;
-      next = look(here + share * step);
+      next = after(share, r);
     }
     if (!(next < size)) break;
-    here += share * step;
-    size = next;
-    const double residual = this->residual(here);
-    if (!(residual < best)) continue;
-    best = residual;
-    r = here;
+    r += share * step_;
+    velocities_.reset(island_, r);
+    size = look(r);
+  }
+  return size <= kFailed * first ? k : kMostSteps + 1;
+}
+
+double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r) {
+  steepness_ = steepness;
+  softness_ = kFirstSoftness * largest_;
+  Eigen::VectorXd here = r;
+  velocities_.reset(island_, here);
+  double best = island_residual(island_, bound_, here), gained = best;
+  for (int round = 0, gained_at = 0; round < kMostRounds && best > enough; ++round) {
+    const int steps = solve_soft(here);
+    softness_ *= steps > kMostSteps ? kSofter : steps > kSoon ? kStiffer : kStiffer * kStiffer;
+    softness_ = std::clamp(softness_, kLeastSoftness * largest_, kMostSoftness * largest_);
+    const double residual = island_residual(island_, bound_, size_of_q_, velocities_, here);
+    if (residual < best) {
+      best = residual;
+      r = here;
+    }
+    if (best < gained / 2) {
+      gained = best;
+      gained_at = round;
+    }
+    if (round > gained_at + kPatience) break;
   }
   return best;
-}
-
-double IslandNewton::improve(double softness, Eigen::VectorXd& r) {
-  softness_ = softness;
-  factor_ = 1;
-  size_of_q_ = island_.size_of_q();
-  look(r);
-  double best = residual(r);
-  best = descend(1, best, r);
-  return best > kSolvedFriction ? descend(kSteep, best, r) : best;
-}
-
-double IslandNewton::stiffen(const Eigen::VectorXd& start, double residual, Eigen::VectorXd& r) {
-  constexpr double kSoftest = 1e-2, kStiffer = 0.1;  // of W
-  constexpr int kSteps = 8;
-  double softness = kSoftest * largest_;
-  Eigen::VectorXd trial = start;
-  for (int step = 0; step < kSteps; ++step) {
-    if (improve(softness, trial) > kSolvedFriction) break;
-    softness *= kStiffer;
-  }
-  const double found = improve(0, trial);
-  if (!(found < residual)) return residual;
-  r = std::move(trial);
-  return found;
 }
 
 }  // namespace raygauge

@@ -7,31 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <set>
-#include <utility>
 #include <vector>
-
-#include "scene/simulation/friction_block.h"
 
 namespace raygauge {
 namespace {
 
 constexpr double kEnough = 1e-10;  // residual that ends the passes
 constexpr int kMostPasses = 600;
-constexpr int kMostPlainPasses = 3000;
 constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
 constexpr int kPatience = 30;        // ... within so many of them, ...
-constexpr int kPlainPatience = 300;  // ... so many that are not extrapolated, ...
-constexpr int kPlainPatienceOfMany = 100;
-constexpr int kMore = 8;            // ... or within so many where it is small enough
-constexpr int kBlockPatience = 10;  // ... so many with a block of contacts solved at once
-constexpr int kMostBlocks = 16;
-constexpr std::size_t kLargestBlock = 40, kLargestOfRough = 60;
-constexpr double kRough = 1e-6;
+constexpr int kMore = 8;             // ... or within so many where it is small enough
 constexpr double kNear = 1e-8;       // a change, as a residual, from which on every pass is measured; ...
 constexpr int kFar = 8;              // ... of others every eighth
-constexpr int kTurns = 3;            // of what slips, in one solve of a contact where one does not arrive
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
 
@@ -53,26 +40,22 @@ Eigen::Vector3d nearer(const Own& own, double mu, const Eigen::Vector3d& b, Eige
   return r;
 }
 
-// Towards 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b. What slips turns so many times into the
-// direction that r so far asks for. `last`: it is near that.
-Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last,
-                       int turns) {
+// Towards 0 <= r_n ⊥ u_n >= 0 and Coulomb's law with u = W r + b. What slips turns once into the direction
+// that r so far asks for. `last`: it is near that.
+Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last) {
   if (b[0] >= 0) return Eigen::Vector3d::Zero();
   if (!(mu > 0)) return {-b[0] / own.W(0, 0), 0, 0};
-  Eigen::Vector3d sticks = -(own.inverse * b);
+  const Eigen::Vector3d sticks = -(own.inverse * b);
   if (sticks.tail<2>().norm() <= mu * sticks[0]) return sticks;
   Eigen::Vector3d r = last[0] > 0 ? last : sticks;
-  Eigen::Vector2d u = Eigen::Vector2d::Zero();
-  for (int turn = 0; turn < turns; ++turn) {
-    u = b.tail<2>() + own.W.bottomRows<2>() * r;
-    const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
-    const double length = way.norm();
-    const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
-    if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
-    r[0] = -b[0] / slope;
-    r.tail<2>() = mu * r[0] / length * way;
-  }
-  return u.dot(r.tail<2>()) > 0 ? nearer(own, mu, b, last) : r;
+  const Eigen::Vector2d u = b.tail<2>() + own.W.bottomRows<2>() * r;
+  const Eigen::Vector2d way = r.tail<2>() - own.rate * u;
+  const double length = way.norm();
+  const double slope = own.W(0, 0) + mu / length * own.W.topRightCorner<1, 2>().dot(way);
+  if (!(length > 0 && slope > 0)) return nearer(own, mu, b, last);
+  r[0] = -b[0] / slope;
+  r.tail<2>() = mu * r[0] / length * way;
+  return u.dot(way) > 0 ? nearer(own, mu, b, last) : r;
 }
 
 /// One pass after the other.
@@ -88,56 +71,25 @@ class Passes {
     }
   }
 
-  /// From here on each contact is solved more closely.
-  void be_thorough() { turns_ = kTurns; }
-
   /// Gives the velocities that go with the new r.
   const IslandVelocities& pass(Eigen::VectorXd& r) {
     IslandVelocities& velocities = velocities_;
     velocities.reset(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
-      if (block_ && block_->has(c)) continue;
       const IslandContact& contact = island_.contacts[c];
       auto here = r.segment<3>(3 * static_cast<Eigen::Index>(c));
       const Eigen::Vector3d before = here;
       const Eigen::Vector3d b = velocities.of(contact) - own_[c].W * before;
-      here = solved(own_[c], contact.mu, b, before, turns_);
+      here = solved(own_[c], contact.mu, b, before);
       velocities.push(contact, here - before);
     }
-    if (block_) block_->solve(island_, velocities, r);
     return velocities;
-  }
-
-  /// From here on the contacts of the bodies of the contact that r leaves farthest from its law are solved
-  /// together, with those that already are. False: they would be too many.
-  bool grow_block(double bound, const Eigen::VectorXd& r, std::size_t largest) {
-    const IslandVelocities velocities(island_, r);
-    double most = 0;
-    std::size_t worst = 0;
-    for (std::size_t c = 0; c < own_.size(); ++c) {
-      if (block_ && block_->has(c)) continue;
-      const double error = law_error(island_.contacts[c], velocities, step_of(bound), r, c);
-      if (!(error > most)) continue;
-      most = error;
-      worst = c;
-    }
-    std::set<int> bodies;
-    if (block_) bodies = block_->bodies();
-    for (const int body : {island_.contacts[worst].a, island_.contacts[worst].b}) {
-      if (body >= 0) bodies.insert(body);
-    }
-    auto larger = std::make_unique<FrictionBlock>(island_, std::move(bodies));
-    if (!(most > 0) || larger->size() > largest) return false;
-    block_ = std::move(larger);
-    return true;
   }
 
  private:
   const FrictionIsland& island_;
   std::vector<Own> own_;
   IslandVelocities velocities_;
-  int turns_ = 1;
-  std::unique_ptr<FrictionBlock> block_;
 };
 
 /// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
@@ -199,12 +151,6 @@ class Descent {
 
   double best() const { return best_; }
 
-  void be_thorough() { passes_.be_thorough(); }
-
-  bool grow_block() {
-    return passes_.grow_block(bound_, r_, best_ > kRough ? kLargestOfRough : kLargestBlock);
-  }
-
   void extrapolated(int patience) {
     if (!(best_ > kEnough)) return;
     Extrapolation extrapolation(r_.size());
@@ -222,15 +168,6 @@ class Descent {
         last = std::numeric_limits<double>::infinity();
         here = r_;
       }
-    }
-  }
-
-  void plain(int patience) {
-    Eigen::VectorXd here = r_;
-    begin();
-    for (int k = 0; k < kMostPlainPasses && best_ > kEnough && !has_stalled(k, patience); ++k) {
-      pass_from(k, here);
-      here = g_;
     }
   }
 
@@ -279,27 +216,6 @@ double pass_over_friction(const FrictionIsland& island, double bound, Eigen::Vec
   if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
   Descent(island, bound, r).extrapolated(kPatience);
   return island_residual(island, bound, r);  // passes have it but for rounding
-}
-
-double pass_with_block(const FrictionIsland& island, double bound, double enough, Eigen::VectorXd& r) {
-  Descent descent(island, bound, r);
-  descent.be_thorough();
-  for (int k = 0; k < kMostBlocks && descent.best() > enough && descent.grow_block(); ++k)
-    descent.extrapolated(kBlockPatience);
-  return island_residual(island, bound, r);
-}
-
-double pass_patiently(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
-  Descent descent(island, bound, r);
-  descent.be_thorough();
-  descent.plain(island.contacts.size() > kFewContacts ? kPlainPatienceOfMany : kPlainPatience);
-  return island_residual(island, bound, r);
-}
-
-void relax_friction(const FrictionIsland& island, int passes, Eigen::VectorXd& r) {
-  Passes one(island);
-  one.be_thorough();
-  for (int pass = 0; pass < passes; ++pass) one.pass(r);
 }
 
 }  // namespace raygauge

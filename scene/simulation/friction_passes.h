@@ -26,14 +26,4 @@ inline constexpr double enough_friction(std::size_t contacts, bool first) {
 /// island_residual() is at most 1e-10, or no longer falls. Returns it; `bound` is bound_of_W().
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r);
 
-/// The same with a block of contacts that keep from their law, solved together, until the residual is
-/// `enough` or the block would be too large.
-double pass_with_block(const FrictionIsland& island, double bound, double enough, Eigen::VectorXd& r);
-
-/// The same without extrapolation, which goes astray where friction turns with every pass.
-double pass_patiently(const FrictionIsland& island, double bound, Eigen::VectorXd& r);
-
-/// So many passes, wherever they lead.
-void relax_friction(const FrictionIsland& island, int passes, Eigen::VectorXd& r);
-
 }  // namespace raygauge

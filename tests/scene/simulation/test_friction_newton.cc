@@ -7,6 +7,7 @@
 #include <Eigen/Dense>
 
 #include "tests/scene/simulation/small_islands.h"
+#include "tests/scene/simulation/stuck_friction.h"
 
 namespace raygauge::test_friction_newton {
 namespace {
@@ -15,7 +16,7 @@ TEST(FrictionNewton, one_contact_sticks_slides_or_opens_as_coulomb_says) {
   const auto expect = [](const Eigen::Vector3d& q, const Eigen::Vector3d& wanted) {
     const FrictionIsland island = small_islands::island_of(Eigen::MatrixXd::Identity(3, 6), q, 0.5);
     Eigen::VectorXd r = Eigen::VectorXd::Zero(3);
-    EXPECT_LE(IslandNewton(island, island.bound_of_W()).improve(r), 1e-12);
+    EXPECT_LE(IslandNewton(island, island.bound_of_W()).improve(10, 1e-12, r), 1e-12);
     EXPECT_LE((r - wanted).norm(), 1e-12);
   };
   expect({-1, 0.3, 0}, {1, -0.3, 0});
@@ -42,7 +43,7 @@ TEST(FrictionNewton, four_feet_that_share_a_load_are_solved_to_rounding) {
     const double bound = island.bound_of_W();
     Eigen::VectorXd r = Eigen::VectorXd::Zero(12);
     const double before = island_residual(island, bound, r);
-    const double after = IslandNewton(island, bound).improve(r);
+    const double after = IslandNewton(island, bound).improve(10, 1e-12, r);
     EXPECT_LE(after, before);
     EXPECT_EQ(after, island_residual(island, bound, r));
     solved += after <= 1e-11 ? 1 : 0;
@@ -71,24 +72,44 @@ FrictionIsland ball_in_corner(Eigen::Index walls, std::mt19937& numbers) {
   return small_islands::island_of(J, q, 0.5);
 }
 
-TEST(FrictionNewton, a_ball_that_cannot_stick_at_two_walls_is_solved_more_often_by_softer_ones) {
+TEST(FrictionNewton, a_ball_that_cannot_stick_at_two_walls_is_solved) {
   std::mt19937 numbers(5);
+  int solved = 0;
   constexpr int kTrials = 300;
-  int by_newton = 0, by_softer = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
     const FrictionIsland island = ball_in_corner(2 + trial % 2, numbers);
     const double bound = island.bound_of_W();
+    Eigen::VectorXd r = small_islands::zeros(island);
     IslandNewton newton(island, bound);
-    const Eigen::VectorXd nothing = small_islands::zeros(island);
-    Eigen::VectorXd r = nothing;
-    const double before = newton.improve(r);
-    const double after = newton.stiffen(nothing, before, r);
-    EXPECT_LE(after, before);
-    EXPECT_EQ(after, island_residual(island, bound, r));
-    by_newton += before <= 1e-9 ? 1 : 0;
-    by_softer += after <= 1e-9 ? 1 : 0;
+    newton.improve(10, 1e-9, r);
+    const double residual = newton.improve(3000, 1e-9, r);
+    EXPECT_EQ(residual, island_residual(island, bound, r));
+    solved += residual <= 1e-9 ? 1 : 0;
   }
-  EXPECT_GE(by_softer, by_newton + kTrials / 10);
+  EXPECT_GE(solved, kTrials * 8 / 10);  // 171 where rounds are not waited for
+}
+
+// Of which passes solve 183 of 200.
+TEST(FrictionNewton, heaps_with_much_friction_are_solved_from_nothing) {
+  small_islands::Random random(3);
+  int solved = 0;
+  constexpr int kTrials = 200;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const FrictionIsland island = small_islands::heap(30, 60, 0.9, random);
+    Eigen::VectorXd r = small_islands::zeros(island);
+    solved += IslandNewton(island, island.bound_of_W()).improve(1, 1e-9, r) <= 1e-9 ? 1 : 0;
+  }
+  EXPECT_GE(solved, kTrials - 5);
+}
+
+TEST(FrictionNewton, a_problem_on_which_steps_of_stiff_contacts_cycle_is_solved) {
+  const FrictionProblem problem = stuck_friction::problem();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> W(problem.W);
+  const Eigen::VectorXd roots = W.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const FrictionIsland island =
+      small_islands::island_of(W.eigenvectors() * roots.asDiagonal(), problem.q, 0.5);
+  Eigen::VectorXd r = small_islands::zeros(island);
+  EXPECT_LE(IslandNewton(island, island.bound_of_W()).improve(10, 1e-12, r), 1e-12);
 }
 
 }  // namespace

@@ -74,21 +74,6 @@ TEST(FrictionPasses, heaps_are_solved_and_what_is_returned_is_the_residual) {
   EXPECT_GE(solved, kTrials * 9 / 10);
 }
 
-// Where few contacts keep the passes from their end; those are solved together.
-TEST(FrictionPasses, heaps_with_much_friction_are_solved_by_blocks) {
-  Random random(3);
-  int solved = 0;
-  constexpr int kTrials = 200;
-  for (int trial = 0; trial < kTrials; ++trial) {
-    const FrictionIsland island = heap(30, 60, 0.9, random);
-    const double bound = island.bound_of_W();
-    Eigen::VectorXd r = zeros(island);
-    pass_over_friction(island, bound, r);
-    solved += pass_with_block(island, bound, kSolvedFriction, r) <= kSolvedFriction ? 1 : 0;
-  }
-  EXPECT_GE(solved, kTrials - 5);  // 183 without
-}
-
 TEST(FrictionPasses, impulses_that_are_worse_than_none_are_not_begun_with) {
   Random random(4);
   const FrictionIsland island = heap(20, 30, 0.1, random);
