@@ -62,6 +62,7 @@ Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, cons
 class Passes {
  public:
   explicit Passes(const FrictionIsland& island) : island_(island) {
+    own_.reserve(island.contacts.size());
     for (const IslandContact& contact : island.contacts) {
       Own& one = own_.emplace_back();
       one.W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
@@ -72,8 +73,7 @@ class Passes {
   }
 
   /// Gives the velocities that go with the new r.
-  const IslandVelocities& pass(Eigen::VectorXd& r) {
-    IslandVelocities& velocities = velocities_;
+  void pass(IslandVelocities& velocities, Eigen::VectorXd& r) const {
     velocities.reset(island_, r);
     for (std::size_t c = 0; c < own_.size(); ++c) {
       const IslandContact& contact = island_.contacts[c];
@@ -83,25 +83,24 @@ class Passes {
       here = solved(own_[c], contact.mu, b, before);
       velocities.push(contact, here - before);
     }
-    return velocities;
   }
 
  private:
   const FrictionIsland& island_;
   std::vector<Own> own_;
-  IslandVelocities velocities_;
 };
 
 /// Anderson's extrapolation of r -> g(r): of what was seen, the combination whose changes g - r cancel best.
 class Extrapolation {
  public:
-  explicit Extrapolation(Eigen::Index size) : changes_(size, kMemory), values_(size, kMemory) {}
-
   void forget() { count_ = 0; }
 
   /// Where to go on after r with the change f = g - r and the value g.
   void next(const Eigen::VectorXd& f, const Eigen::VectorXd& g, Eigen::VectorXd& here) {
-    if (count_ > 0) {
+    if (count_ == 0) {
+      changes_.resize(f.size(), kMemory);
+      values_.resize(f.size(), kMemory);
+    } else {
       const Eigen::Index at = (count_ - 1) % kMemory;
       changes_.col(at) = f - f_;
       values_.col(at) = g - g_;
@@ -114,11 +113,8 @@ class Extrapolation {
     if (known == 0) return;
     Square products = products_.topLeftCorner(known, known);
     products.diagonal() *= 1 + kRounding;
-    Few shares(known);
-    for (Eigen::Index k = 0; k < known; ++k) shares[k] = changes_.col(k).dot(f);
-    shares = Few(products.ldlt().solve(shares));
-    if (!shares.allFinite()) return;
-    for (Eigen::Index k = 0; k < known; ++k) here -= shares[k] * values_.col(k);
+    const Few shares = products.ldlt().solve(changes_.leftCols(known).transpose() * f);
+    if (shares.allFinite()) here.noalias() -= values_.leftCols(known) * shares;
   }
 
  private:
@@ -128,8 +124,8 @@ class Extrapolation {
 
   void learn(Eigen::Index at) {
     const Eigen::Index known = std::min(count_, kMemory);
-    for (Eigen::Index k = 0; k < known; ++k)
-      products_(k, at) = products_(at, k) = changes_.col(k).dot(changes_.col(at));
+    products_.col(at).head(known).noalias() = changes_.leftCols(known).transpose() * changes_.col(at);
+    products_.row(at).head(known) = products_.col(at).head(known);
   }
 
   Eigen::Index count_ = 0;
@@ -142,24 +138,48 @@ class Extrapolation {
 class Descent {
  public:
   Descent(const FrictionIsland& island, double bound, Eigen::VectorXd& r)
-      : island_(island),
-        bound_(bound),
-        size_of_q_(island.size_of_q()),
-        passes_(island),
-        r_(r),
-        best_(island_residual(island, bound, r)) {}
+      : island_(island), bound_(bound), size_of_q_(island.size_of_q()), passes_(island), r_(r) {}
 
-  double best() const { return best_; }
+  double go() {
+    if (!(size_of_q_ > 0)) {
+      r_.setZero();
+      return 0;
+    }
+    begin();
+    if (!(best_ > kEnough)) return best_;
+    pass();
+    velocities_.reset(island_, r_);  // passes have them but for rounding
+    return residual(r_);
+  }
 
-  void extrapolated(int patience) {
-    if (!(best_ > kEnough)) return;
-    Extrapolation extrapolation(r_.size());
+ private:
+  double residual(const Eigen::VectorXd& r) const {
+    return island_residual(island_, bound_, size_of_q_, velocities_, r);
+  }
+
+  // At r, or at nothing where that is better.
+  void begin() {
+    velocities_.reset(island_, r_);
+    best_ = residual(r_);
+    if (!r_.isZero(0)) {
+      g_.setZero(r_.size());
+      velocities_.reset(island_, g_);
+      const double of_nothing = residual(g_);
+      if (!(best_ <= of_nothing)) {
+        best_ = of_nothing;
+        r_ = g_;
+      }
+    }
+    gained_ = best_;
+  }
+
+  void pass() {
+    Extrapolation extrapolation;
     Eigen::VectorXd here = r_;
     double last = std::numeric_limits<double>::infinity();
-    begin();
     for (int k = 0; k < kMostPasses && best_ > kEnough; ++k) {
       const double size = pass_from(k, here);
-      if (!(size > 0) || has_stalled(k, patience)) break;
+      if (!(size > 0) || has_stalled(k)) break;
       if (size <= kWorse * last) {
         last = std::min(last, size);
         extrapolation.next(f_, g_, here);
@@ -171,20 +191,14 @@ class Descent {
     }
   }
 
- private:
-  void begin() {
-    gained_ = best_;
-    gained_at_ = 0;
-  }
-
   // To g_, by f_. Gives the size of that. A residual takes as long as half a pass.
   double pass_from(int k, const Eigen::VectorXd& here) {
     g_ = here;
-    const IslandVelocities& velocities = passes_.pass(g_);
+    passes_.pass(velocities_, g_);
     f_ = g_ - here;
     const double size = f_.norm();
     if (size > kNear * step_of(bound_) * size_of_q_ && k % kFar != kFar - 1) return size;
-    const double residual = island_residual(island_, bound_, size_of_q_, velocities, g_);
+    const double residual = this->residual(g_);
     if (residual < best_) {
       best_ = residual;
       r_ = g_;
@@ -196,26 +210,22 @@ class Descent {
     return size;
   }
 
-  bool has_stalled(int k, int patience) const {
-    return k > gained_at_ + (best_ > kSolvedFriction ? patience : kMore);
-  }
+  bool has_stalled(int k) const { return k > gained_at_ + (best_ > kSolvedFriction ? kPatience : kMore); }
 
   const FrictionIsland& island_;
   double bound_, size_of_q_;
   Passes passes_;
+  IslandVelocities velocities_;
   Eigen::VectorXd& r_;
   Eigen::VectorXd g_, f_;  // where the last pass has led, and from where it began to there
-  double best_, gained_ = 0;
+  double best_ = 0, gained_ = 0;
   int gained_at_ = 0;
 };
 
 }  // namespace
 
 double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
-  const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(r.size());
-  if (!(island_residual(island, bound, r) <= island_residual(island, bound, nothing))) r = nothing;
-  Descent(island, bound, r).extrapolated(kPatience);
-  return island_residual(island, bound, r);  // passes have it but for rounding
+  return Descent(island, bound, r).go();
 }
 
 }  // namespace raygauge
