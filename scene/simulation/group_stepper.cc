@@ -13,7 +13,7 @@
 namespace raygauge {
 namespace {
 
-constexpr int kMostTrials = 30;      // of one substep, shorter each time, down to kShortest
+constexpr int kMostTrials = 60;      // of one substep, shorter or with more contacts each time
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
 constexpr double kUnproven = 1e-2;   // of the step: a substep that could not be proven
@@ -42,6 +42,14 @@ std::string name_of(const std::vector<SimulatedPart>& parts, int number) {
   }
   throw Error("simulation: at " + std::to_string(t) + " s " + jammed + " is jammed by " + around +
               ": no impulses keep them apart");
+}
+
+// A pair that was thought to stay apart, and that its turn or the impulses of others bring together: where it
+// does not rebound, it joins the problem, and cuts no substep.
+bool join_late(NearPair* pair) {
+  if (pair == nullptr || pair->role != PairRole::apart || pair->law.restitution.value_or(0) > 0) return false;
+  pair->role = PairRole::contact;
+  return true;
 }
 
 }  // namespace
@@ -229,9 +237,9 @@ bool GroupStepper::move(double dt) {
       commit(end);
       return true;
     }
-    const double shorter = shorter_than(dt, proven - t_, trial);
-    if (shorter == 0) break;
-    dt = shorter;
+    if (join_late(pairs_.ended_proof())) continue;
+    dt = shorter_than(dt, proven - t_, trial);
+    if (dt == 0) break;
     restore(before_);
     roles_.choose(*near_, dt);
   }
@@ -256,7 +264,9 @@ void GroupStepper::move_unproven(double dt) {
 // The substep after one of dt, of which so much was proven; 0: no shorter one makes progress.
 double GroupStepper::shorter_than(double dt, double proven, int trial) {
   const double shortest = kShortest * dynamics_.step;
-  if (pairs_.contact_ended_proof() && proven < kBent * dt && dt > shortest) return bent_dt_ = kBent * dt;
+  const NearPair* const pair = pairs_.ended_proof();
+  const bool bends = pair != nullptr && pair->role == PairRole::contact;
+  if (bends && proven < kBent * dt && dt > shortest) return bent_dt_ = kBent * dt;
   if (proven < shortest) return 0;
   return trial < 3 ? proven : std::min(proven, dt / 2);
 }

@@ -169,6 +169,7 @@ double NearPairs::distance_at(const NearPair& pair, double end, PairTools& tools
 double NearPairs::proven_until(double t, double end) {
   hand_motions();
   nothing_touched_ = true;
+  ended_proof_ = nullptr;
   in_doubt_.clear();
   for (CandidatePair* const candidate : sweep_.sweep(t, end - t, scales_.arrival())) {
     nothing_touched_ = nothing_touched_ && touching(*candidate) == nullptr;
@@ -182,8 +183,8 @@ double NearPairs::proven_until(double t, double end) {
   for (std::size_t k = 0; k < in_doubt_.size(); ++k) {
     if (!(proven_[k] < proven)) continue;
     proven = proven_[k];
-    const NearPair* const near = touching(*in_doubt_[k]);
-    contact_ended_proof_ = near != nullptr && near->role == PairRole::contact;
+    const int near = in_doubt_[k]->near;
+    ended_proof_ = near < 0 ? nullptr : &near_[static_cast<std::size_t>(near)];
   }
   return proven;
 }

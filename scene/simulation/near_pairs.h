@@ -72,8 +72,9 @@ class NearPairs {
   /// At most `end`. Pairs that are not in contact come as close as `arrival` at most.
   double proven_until(double t, double end);
 
-  /// Whether a pair in contact ended the last proof: its way bends, the less the shorter it is.
-  bool contact_ended_proof() const noexcept { return contact_ended_proof_; }
+  /// The near pair that ended the last proof, or null: one that is not near, or none. Where it is in contact
+  /// its way bends, the less the shorter it is.
+  NearPair* ended_proof() noexcept { return ended_proof_; }
 
   /// As the bodies' motions have them, no pair comes closer within [t, end], which lies within one piece of
   /// each: proven, at most 0, and -infinity where nothing is. Up to δ/4 or 1 % it is the least signed
@@ -118,7 +119,7 @@ class NearPairs {
   SharedTools<PairTools> tools_;
   ChunkTeam* team_ = nullptr;
   bool nothing_touched_ = true;
-  bool contact_ended_proof_ = false;
+  NearPair* ended_proof_ = nullptr;
 };
 
 }  // namespace raygauge
