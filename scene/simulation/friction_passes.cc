@@ -45,7 +45,7 @@ Eigen::Vector3d nearer(const Own& own, double mu, const Eigen::Vector3d& b, Eige
 Eigen::Vector3d solved(const Own& own, double mu, const Eigen::Vector3d& b, const Eigen::Vector3d& last) {
   if (b[0] >= 0) return Eigen::Vector3d::Zero();
   if (!(mu > 0)) return {-b[0] / own.W(0, 0), 0, 0};
-  const Eigen::Vector3d sticks = -(own.inverse * b);
+  Eigen::Vector3d sticks = -(own.inverse * b);
   if (sticks.tail<2>().norm() <= mu * sticks[0]) return sticks;
   Eigen::Vector3d r = last[0] > 0 ? last : sticks;
   const Eigen::Vector2d u = b.tail<2>() + own.W.bottomRows<2>() * r;
