@@ -14,6 +14,7 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostTrials = 60;      // of one substep, shorter or with more contacts each time
+constexpr int kMostJoins = 20;       // after which they are only shorter
 constexpr int kMostCorrections = 3;  // of one contact problem
 constexpr double kShortest = 1e-9;   // of the step: shorter substeps make no progress
 constexpr double kUnproven = 1e-2;   // of the step: a substep that could not be proven
@@ -237,7 +238,7 @@ bool GroupStepper::move(double dt) {
       commit(end);
       return true;
     }
-    if (join_late(pairs_.ended_proof())) continue;
+    if (trial < kMostJoins && join_late(pairs_.ended_proof())) continue;
     dt = shorter_than(dt, proven - t_, trial);
     if (dt == 0) break;
     restore(before_);

@@ -82,7 +82,7 @@ bool meet_deep(const SpatialPair& pair) {
 }
 
 RAYGAUGE_FUSED void spatial_distance(SpatialPair& pair, double tolerance, const SpatialStart& start,
-                      const SpatialNearness& leave, SpatialAnswer& answer) {
+                                     const SpatialNearness& leave, SpatialAnswer& answer) {
   answer.begin_steps();
   Descent(pair, tolerance, leave, answer).run(start);
 }
