@@ -148,11 +148,14 @@ void SpatialPair::support(const Vector3& u, SpatialPoint& point) {
 
 // What has a vertex on the one side is the highest point along what is fixed to that. Curves are along the
 // mean of what is fixed to either: the difference of points for the same direction is on the surface.
+// Of two curved bodies one direction is for both: fixed to the one that has discs, as its side or a disc
+// mostly is what the other one rests on, else the mean of those that are fixed to either.
 Vector3 SpatialPair::support_again(const DepthMemory::Corner& corner, SpatialPoint& point) {
   const auto vector = [](const std::array<float, 3>& way) { return Vector3{way[0], way[1], way[2]}; };
   const bool curves = raygauge::is_curved(shape(0)) && raygauge::is_curved(shape(1));
+  const bool discs = has_discs(shape(0)), other_discs = has_discs(shape(1));
   Vector3 u_1 = frame_.R * vector(corner.way_1), u_2 = vector(corner.way_2);
-  if (curves) u_1 = u_2 = (u_1 + u_2) * 0.5;
+  if (curves) u_1 = u_2 = discs == other_discs ? (u_1 + u_2) * 0.5 : discs ? u_2 : u_1;
   look_again(u_1, u_2, corner, point);
   frame_.subtract(point);
   add_prisms(prisms(), u_2, point);
