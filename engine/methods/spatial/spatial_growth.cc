@@ -8,6 +8,7 @@
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
 #include "engine/methods/spatial/portal.h"
+#include "engine/methods/spatial/tuning.h"
 
 namespace raygauge {
 namespace {
@@ -16,8 +17,7 @@ constexpr int kMostExchanges = 80;
 constexpr int kMostIdleExchanges = 3;
 constexpr int kMostDiscoveries = 40;
 constexpr int kMostNewtonSteps = 12;
-constexpr double kFirstTilt = 1.7,
-                 kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
+constexpr double kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
 constexpr double kLeastTilt = 0.03;   // radians
 constexpr double kThin = 1e-3;        // height over extent of a plate
 constexpr double kCrossed = 0.1;      // sine of the angle between the bodies' long axes
@@ -132,7 +132,6 @@ bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
 // Newton steps on the unit sphere. True when the solve is done; the best direction is in the answer
 // otherwise.
 bool Growth::newton(Vector3 u) {
-  constexpr double kLongestStep = 0.7;
   Matrix3 H;
   u = u * (1 / length(u));
   SpatialPoint w = support(u);
@@ -149,7 +148,7 @@ bool Growth::newton(Vector3 u) {
     Vector3 step;
     if (!solve(H, p_ * (1 / ratio) - w.s, step)) return false;
     step = step - u * dot(u, step);
-    const double long_by = length(step) / kLongestStep;
+    const double long_by = length(step) / tuned::kLongestGrowthStep;
     if (long_by > 1) step = step * (1 / long_by);
     double share = 1, higher = 0;
     Vector3 next;
@@ -266,9 +265,9 @@ bool Growth::discover(Vector3 u) {
   double h = dot(u, portal_[0].s);
   if (!(h > 0) || !(dot(u, p_) > 0)) return false;
   int known = 1;
-  double tilt = kFirstTilt;
+  double tilt = tuned::kFirstTilt;
   for (int i = 0; i < kMostDiscoveries; ++i) {
-    if (may_be_plate(i) && begin_on_plate(u, h)) known = 1, tilt = kFirstTilt;
+    if (may_be_plate(i) && begin_on_plate(u, h)) known = 1, tilt = tuned::kFirstTilt;
     const Vector3 way = is_plate_ ? tilt_to_ray(known, u, h) : way_to_ray(known, u, h);
     Vector3 next = tilt > kLargestTilt ? way : u + way * (is_plate_ ? tilt : tilt / h);
     next = next * (1 / length(next));
@@ -284,7 +283,7 @@ bool Growth::discover(Vector3 u) {
       u = next;
       h = height;
     }
-    tilt = kFirstTilt;
+    tilt = tuned::kFirstTilt;
     if (adopt(w, known)) return true;
     known = 2;
   }
