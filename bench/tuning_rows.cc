@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "engine/kernels/tuning.h"
 #include "engine/lp/tuning.h"
+#include "engine/meshes/tuning.h"
 #include "engine/methods/column_generation/tuning.h"
 #include "engine/methods/nearest_point/tuning.h"
 #include "engine/methods/newton/tuning.h"
@@ -147,6 +149,23 @@ TunedMethod samples() {
             solves(name, {{10, 10000}, {50, 10000}, {100, 5000}})}}};
 }
 
+TunedMethod simplex() {
+  const std::string name = "column_generation";
+  return {"linear programs: the simplex",
+          {{{"kChangesByTableau", tuned::kChangesByTableau},
+            {4, 8, 48, 100},
+            "n = 3, 5, 10, N = 1000",
+            solves(name, {{3, 1000}, {5, 1000}, {10, 1000}})},
+           {{"kChangesByShortlist", tuned::kChangesByShortlist},
+            {1, 4, 16, 32},
+            "n = 15, 30, 100, N = 3 n",
+            solves(name, {{15, 45}, {30, 90}, {100, 300}})},
+           {{"kColumnWorthEntering", tuned::kColumnWorthEntering},
+            {0, 0.2, 0.6, 0.8},
+            "n = 50, 100, 150, N = 5 n",
+            solves(name, {{50, 250}, {100, 500}, {150, 750}})}}};
+}
+
 TunedMethod interior_point() {
   const std::string name = "column_generation";
   const Workload both = solves(name, {{100, 150}, {200, 400}, {200, 2000}});
@@ -254,9 +273,26 @@ TunedMethod sets() {
             solves("column_generation", {{5, 1000}, {10, 1000}}, "needle")}}};
 }
 
-TunedMethod queries() {
-  const Workload walks = gauges_in({6, 1000}, 8192), stream = streams({5, 100000});
-  return {"queries",
+TunedMethod trees() {
+  return {"meshes",
+          {{{"kOrientedTriangles", tuned::kOrientedTriangles},
+            {32, 128, 2048, 1 << 20},
+            "tori of 20000 triangles",
+            tori(20000)},
+           {{"kSearchedTriangles", tuned::kSearchedTriangles},
+            {64, 256, 4096, 1 << 20},
+            "tori of 20000 triangles",
+            tori(20000)},
+           {{"kSearchedTriangles", tuned::kSearchedTriangles},
+            {64, 256, 4096, 1 << 20},
+            "building a tree of 20000",
+            torus_trees(20000)}}};
+}
+
+TunedMethod gauges_of_points() {
+  const Workload walks = gauges_in({6, 1000}, 8192);
+  const std::string on = "gauges of 8192 points, n = 6, N = 1000";
+  return {"queries: gauges",
           {{{"kLeastForWalks", tuned::kLeastForWalks},
             {256, 512, 2048, 4096},
             "gauges of 1500 points, n = 6, N = 1000",
@@ -273,11 +309,17 @@ TunedMethod queries() {
             {12, 24, 96, 192},
             "gauges of 2048 points",
             gauges_in({6, 1000}, 2048)},
-           {{"kFewFacets", tuned::kFewFacets},
-            {16, 32, 128, 256},
-            "gauges of 8192 points, n = 6, N = 1000",
-            walks},
-           {{"kManyDimensionsOfOrigin", tuned::kManyDimensionsOfOrigin},
+           {{"kFewFacets", tuned::kFewFacets}, {16, 32, 128, 256}, on, walks},
+           {{"kListedPoints", tuned::kListedPoints}, {20, 35, 70, 100}, on, walks},
+           {{"kChosenColumns", tuned::kChosenColumns}, {3, 5, 12, 16}, on, walks},
+           {{"kPivotsOfWalk", tuned::kPivotsOfWalk}, {3, 6, 24, 48}, on, walks},
+           {{"kFirstShare", tuned::kFirstShare}, {0.2, 0.35, 0.65, 0.9}, on, walks}}};
+}
+
+TunedMethod queries() {
+  const Workload stream = streams({5, 100000});
+  return {"queries",
+          {{{"kManyDimensionsOfOrigin", tuned::kManyDimensionsOfOrigin},
             {8, 16, 64, 128},
             "n = 12, 24, 48, 96, N = 4 n",
             origins({{12, 48}, {24, 96}, {48, 192}, {96, 384}})},
@@ -294,8 +336,13 @@ TunedMethod queries() {
 }  // namespace
 
 std::vector<TunedMethod> tuned_methods() {
-  return {zheng_yamane(), column_generation_starts(), column_generation(), samples(), interior_point(),
-          threads(),      euclidean_and_smooth(),     spatial(),           sets(),    queries()};
+  std::vector<TunedMethod> all;
+  for (TunedMethod (*const of)() :
+       {zheng_yamane, column_generation_starts, column_generation, samples, simplex, interior_point, threads,
+        euclidean_and_smooth, spatial, sets, trees, gauges_of_points, queries}) {
+    all.push_back(of());
+  }
+  return all;
 }
 
 }  // namespace raygauge::bench

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/tuning_workloads.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -9,9 +10,11 @@
 #include <utility>
 
 #include "bench/pair_bodies.h"
+#include "bench/torus.h"
 #include "engine/queries/streamed_hull.h"
 #include "raygauge/queries/growth_distance.h"
 #include "raygauge/queries/membership.h"
+#include "raygauge/queries/mesh_distance.h"
 #include "raygauge/queries/object_distance.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/ellipsoid.h"
@@ -204,6 +207,29 @@ Workload origins(const std::vector<Cell>& cells) {
       calls.emplace_back([=] { origin_in_interior(*hull); });
     }
     return all_of(std::move(calls));
+  };
+}
+
+Workload tori(int triangles) {
+  return [=]() -> Call {
+    constexpr int kPoses = 16;
+    const TriangleSource source = torus(triangles);
+    const auto mesh = std::make_shared<const Mesh>(source.vertices, source.triangles);
+    const auto solver = std::make_shared<MeshDistanceSolver>();
+    const auto poses = std::make_shared<std::vector<Pose>>();
+    for (int i = 0; i < kPoses; ++i)
+      poses->emplace_back(Eigen::Matrix3d(Eigen::AngleAxisd(0.4 * i, Eigen::Vector3d(1, 2, 3).normalized())),
+                          Eigen::Vector3d(5.5, 0.1 * i, -0.2 * i));
+    return [=] {
+      for (const Pose& pose : *poses) solver->solve(PosedMesh(*mesh), PosedMesh(*mesh, pose));
+    };
+  };
+}
+
+Workload torus_trees(int triangles) {
+  return [=]() -> Call {
+    const auto source = std::make_shared<const TriangleSource>(torus(triangles));
+    return [=] { Mesh(source->vertices, source->triangles); };
   };
 }
 

@@ -44,6 +44,10 @@ Workload streams(Cell cell);
 /// Whether the hull of N random points has the origin inside, which it hardly has.
 Workload origins(const std::vector<Cell>& cells);
 
+/// Distances of two tori of triangles, in some poses; and building the tree of one.
+Workload tori(int triangles);
+Workload torus_trees(int triangles);
+
 /// Pairs of bodies of R^3: pair_bodies.h.
 enum class PairAsk { distance, warm, growth, depth, depth_warm };
 Workload pairs(const std::vector<std::pair<std::string, std::string>>& kinds, const std::string& place,

@@ -20,6 +20,13 @@ inline constinit const Threshold<std::size_t> kPointsOfFacet{224};
 inline constinit const Threshold<std::size_t> kFewPointsOfFacet{48};
 inline constinit const Threshold<std::size_t> kFewFacets{64};
 
+/// Of such a walk, times n: points of S near the facet that columns are chosen from, columns that are chosen,
+/// and basis changes at most; and the share of the highest points along x that is chosen first.
+inline constinit const Threshold<int> kListedPoints{50};
+inline constinit const Threshold<int> kChosenColumns{8};
+inline constinit const Threshold<int> kPivotsOfWalk{12};
+inline constinit const Threshold<float> kFirstShare{0.5F};
+
 /// Dimensions from which on weights are looked for before linear programs, which take longer.
 inline constinit const Threshold<int> kManyDimensionsOfOrigin{32};
 
