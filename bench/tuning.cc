@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,9 +27,12 @@ struct Settings {
 
 // "50:100": n and N.
 Cell cell_of(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string::npos) throw std::invalid_argument("--cells " + text + ": n:N expected");
-  return {std::stoi(text.substr(0, colon)), std::stoi(text.substr(colon + 1))};
+  Cell cell;
+  char colon = 0;
+  std::istringstream in(text);
+  if (!(in >> cell.n >> colon >> cell.N) || colon != ':' || in.get() != EOF || cell.n < 1 || cell.N < 1)
+    throw std::invalid_argument("--cells " + text + ": n:N expected");
+  return cell;
 }
 
 // A row with what the settings say in place of its own.
@@ -84,7 +88,16 @@ void print_row(const TuningRow& row, int rounds) {
 }
 
 void options(CLI::App& app, Settings& settings) {
-  app.add_option("--only", settings.only, "thresholds, separated by commas; none: all")->delimiter(',');
+  std::vector<std::string> names;
+  for (const TunedMethod& method : tuned_methods()) {
+    for (const TuningRow& row : method.rows) names.push_back(row.threshold.name());
+  }
+  app.add_option("--only", settings.only, "thresholds, separated by commas; none: all")
+      ->delimiter(',')
+      ->check([names](const std::string& name) {
+        const bool known = std::find(names.begin(), names.end(), name) != names.end();
+        return known ? std::string() : name + ": no tuning.h of the engine has it";
+      });
   app.add_option("--rounds", settings.rounds, "calls that a median is of")->check(CLI::PositiveNumber);
   app.add_option("--values", settings.values, "in place of those tried, separated by commas")->delimiter(',');
   app.add_option("--cells", settings.cells,
