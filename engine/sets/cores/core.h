@@ -13,30 +13,26 @@ namespace raygauge {
 
 /// Calls `use` with the core of a shape, one of the structs of this folder, each over both number types:
 ///
-///     vertex_count(), vertex(i)   without rounding; a curved core has none
-///     look(v, isa)                a direction as the core sees it: `index` of the highest piece (a vertex
-///     from
-///                                 0 on, or a smooth piece below 0), and of any piece point(i) and height(i)
-///     face(v, margin, isa, use)   calls use(x) for points x, at most `margin` below the highest along v,
-///     whose
-///                                 hull is what the core has of a face there
-///     half_axes()                 those of an ellipsoid about like the core
+/// - vertex_count(), vertex(i): without rounding; a curved core has none
+/// - look(v, isa): a direction as the core sees it: `index` of the highest piece (a vertex from 0 on, or a
+///   smooth piece below 0), and of any piece point(i) and height(i)
+/// - face(v, margin, isa, use): calls use(x) for points x, at most `margin` below the highest along v, whose
+///   hull is what the core has of a face there
+/// - half_axes(): those of an ellipsoid about like the core
 ///
 /// and what it can beyond that, which is asked by `requires`:
 ///
-///     form(axis), curvature(axis, u, i)   of a curved core with its axes in any frame: the Hessian of piece
-///     i
-///                                         at u is share (form - y yᵀ)
-///     nearest(y)                  the point of the core nearest to y; y itself inside
-///     way_out(y, outward)         of a point y inside: how far it is to the surface, and the unit normal
-///     there holds(x, back, height, margin)      whether the ball of radius `margin` about x - back is inside
-///     for
-///                                 certain; x is highest for some unit vector v, and v·back is `height`
-///     top_of_rim(v, i)                    the highest point of rim i along v
-///     ends_around(x)              of a core without area: the vertices between which x is
-///     generators(use)             calls use(g) for the half edges whose segments [-g, g] add up to the core
-///     top(v, tilt, end)           of a core that is not smooth: see count_highest()
-///     disc(v)                     the flat disc on the side of v
+/// - form(axis), curvature(axis, u, i): of a curved core with its axes in any frame: the Hessian of piece i
+///   at u is share (form - y yᵀ)
+/// - nearest(y): the point of the core nearest to y; y itself inside
+/// - way_out(y, outward): of a point y inside: how far it is to the surface, and the unit normal there
+/// - holds(x, back, height, margin): whether the ball of radius `margin` about x - back is inside for
+///   certain; x is highest for some unit vector v, and v·back is `height`
+/// - top_of_rim(v, i): the highest point of rim i along v
+/// - ends_around(x): of a core without area: the vertices between which x is
+/// - generators(use): calls use(g) for the half edges whose segments [-g, g] add up to the core
+/// - top(v, tilt, end): of a core that is not smooth: see count_highest()
+/// - disc(v): the flat disc on the side of v
 ///
 /// This is the only place that tells kinds apart.
 template <class Use>
