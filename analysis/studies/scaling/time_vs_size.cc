@@ -33,7 +33,6 @@ struct SizeFigure {
 constexpr SizeFigure kAgainstN = {"time_vs_N", SizeAxis::N, "N", "n", "N, points in each set"};
 constexpr SizeFigure kAgainstDimension = {"time_vs_dimension", SizeAxis::n, "n", "N", "n, dimension"};
 
-/// A panel for each value of the other size.
 /// What of a panel's cell its title must name: generator and tolerance only where there are several.
 struct PanelTitles {
   explicit PanelTitles(const std::vector<ScalingCurve>& curves) {
@@ -51,6 +50,7 @@ struct PanelTitles {
   std::set<double> tolerances;
 };
 
+/// A panel for each value of the other size.
 std::vector<CurvePanel> size_panels(const std::vector<ScalingCurve>& curves, const SizeFigure& figure,
                                     double per_second) {
   const PanelTitles titles(curves);
