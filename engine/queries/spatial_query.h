@@ -37,6 +37,9 @@ class SpatialQuery {
   /// As SpatialSolve::set_enough().
   void set_enough(double gap) noexcept { solve_.set_enough(gap); }
 
+  /// As SpatialSolve::set_fine_normal().
+  void set_fine_normal(bool fine) noexcept { solve_.set_fine_normal(fine); }
+
   /// Nothing is known of bodies before a query.
   void begin() noexcept { asked_ = false; }
 

@@ -26,6 +26,9 @@ class SpatialSolve {
   /// A distance whose bounds are so close is as precise as is asked for, whatever its tolerance.
   void set_enough(double gap) noexcept { enough_ = gap; }
 
+  /// Growth distances need normals as exact as their bounds, for gradients.
+  void set_fine_normal(bool fine) noexcept { record_.start.fine_normal = fine; }
+
   /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
   bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 

@@ -46,7 +46,9 @@ class Growth {
   bool is_done();
   void bound_from_below(const Vector3& u, const SpatialPoint& w);
   void bound_from_above(const SpatialPoint* corner, int count, const double* weight);
+  bool bound_in_ball(const Vector3& u, const SpatialPoint& w);
   double price_of_residual(const Vector3& r, double weights) const;
+  Vector3 first_direction() const;
   bool newton(Vector3 u);
   Vector3 way_to_ray(int known, const Vector3& u, double h);
   Vector3 tilt_to_ray(int known, const Vector3& u, double h);
@@ -65,6 +67,7 @@ class Growth {
   double threshold_;
   Vector3 p_;
   double inner_radius_;
+  bool fine_normal_ = false;
   SpatialAnswer& answer_;
   SpatialPoint* portal_;  // three, in the answer
   // Of two crossed needles B is a plate, about  uᵀMu <= 1  with  M = L² (1 - n nᵀ) + h² n nᵀ.
@@ -102,6 +105,27 @@ void Growth::bound_from_below(const Vector3& u, const SpatialPoint& w) {
   answer_.raise_lower(along / height * kDown, u);
 }
 
+// A ball of the rolling radius ρ touches B from inside at w, the support point of the unit vector u: where
+// the ray of p leaves it, t p, proves σ <= 1/t. The support point of an ellipsoid is off by error() and what
+// that turns the normal by. False where the ray misses the ball.
+bool Growth::bound_in_ball(const Vector3& u, const SpatialPoint& w) {
+  const double rolling = fine_normal_ ? 0 : pair_.rolling_radius(), least = answer_.bounds.lower();
+  if (!(rolling > 0) || !(least > 0)) return false;
+  double slack = 4;
+  for (int i = 0; i < 2; ++i) {
+    const SpatialShape& shape = pair_.shape(i);
+    if (shape.rolling_radius > 0) slack += 2 * shape.extent / shape.inner_radius;
+  }
+  const double radius = rolling - pair_.error() * (slack + 2 / least);
+  const Vector3 center = w.s - u * rolling;
+  const double square = dot(p_, p_), along = dot(p_, center);
+  const Vector3 off = center - p_ * (along / square);
+  const double room = radius * radius - dot(off, off);
+  if (!(radius > 0) || !(room > 0) || !(along > 0)) return false;
+  answer_.bounds.reduce_upper(square / (along + std::sqrt(square * room)) * kUp);
+  return true;
+}
+
 double Growth::price_of_residual(const Vector3& r, double weights) const {
   if (!(inner_radius_ > 0)) return kInfinity;
   return (length(r) + 2 * pair_.error() * (1 + weights)) / inner_radius_ * kUp;
@@ -129,19 +153,27 @@ bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
   return true;
 }
 
+// p, or of ellipsoids and balls M⁻¹p with the form M at p: 2 h_B(u) <= uᵀMu + h_B(p) for lengths 1, equal at
+// p.
+Vector3 Growth::first_direction() const {
+  Vector3 u;
+  Matrix3 M;
+  return pair_.smooth_form(p_, M) && solve(M, p_, u) ? u : p_;
+}
+
 // Newton steps on the unit sphere. True when the solve is done; the best direction is in the answer
 // otherwise.
 bool Growth::newton(Vector3 u) {
   constexpr double kLongestStep = 0.7;
-  Matrix3 H;
   u = u * (1 / length(u));
   SpatialPoint w = support(u);
   double ratio = dot(u, p_) / dot(u, w.s);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
     bound_from_below(u, w);
-    bound_from_above(&w, 1, &ratio);
+    if (!bound_in_ball(u, w)) bound_from_above(&w, 1, &ratio);
     if (is_done()) return true;
-    if (!(ratio > 0) || !pair_.hessian(u, H)) return false;
+    if (!(ratio > 0)) return false;
+    Matrix3 H = pair_.hessian(u, w);
     const double trace = H.column[0].x + H.column[1].y + H.column[2].z;
     H.column[0] = H.column[0] + u * (trace * u.x);  // H u = 0: any multiple of u uᵀ makes it regular
     H.column[1] = H.column[1] + u * (trace * u.y);
@@ -368,9 +400,9 @@ void Growth::refine() {
 
 void Growth::run(const SpatialStart& start) {
   if (!(dot(p_, p_) > 16 * pair_.error() * pair_.error())) return;
+  fine_normal_ = start.fine_normal;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
-  Matrix3 H;
-  if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return;
+  if (pair_.has_hessian() && newton(steered ? start.normal : first_direction())) return;
   if (!std::isnan(threshold_)) {
     const Vector3 u = steered ? start.normal : p_;
     bound_from_below(u, support(u));
