@@ -32,13 +32,10 @@ class SpatialQuery {
 
   /// The growth distance of A about its centre and Q about its own, or about the origin of the world.
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
-              double threshold, WarmStart* warm, DistanceResult& result);
+              double threshold, WarmStart* warm, DistanceResult& result, bool fine_normal = false);
 
   /// As SpatialSolve::set_enough().
   void set_enough(double gap) noexcept { solve_.set_enough(gap); }
-
-  /// As SpatialSolve::set_fine_normal().
-  void set_fine_normal(bool fine) noexcept { solve_.set_fine_normal(fine); }
 
   /// Nothing is known of bodies before a query.
   void begin() noexcept { asked_ = false; }

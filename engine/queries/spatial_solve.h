@@ -26,9 +26,6 @@ class SpatialSolve {
   /// A distance whose bounds are so close is as precise as is asked for, whatever its tolerance.
   void set_enough(double gap) noexcept { enough_ = gap; }
 
-  /// Growth distances need normals as exact as their bounds, for gradients.
-  void set_fine_normal(bool fine) noexcept { record_.start.fine_normal = fine; }
-
   /// Their poses, whose numbers must outlive the solves. False if sizes are out of range.
   bool place(const PoseNumbers& first, const PoseNumbers& second) { return pair_.place(first, second); }
 
@@ -39,8 +36,9 @@ class SpatialSolve {
 
   /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
   /// the first one about the origin of the world, to touch. Ends early where it is proven to be on one side
-  /// of `threshold`; NaN: never.
-  bool growth(bool about_origin, double tolerance, double threshold, PairStart* warm);
+  /// of `threshold`; NaN: never. `fine_normal`: the normal has to be as exact as the bounds, for gradients.
+  bool growth(bool about_origin, double tolerance, double threshold, PairStart* warm,
+              bool fine_normal = false);
 
   const SpatialAnswer& answer() const noexcept { return record_.answer; }
   const SpatialPair& pair() const noexcept { return pair_; }

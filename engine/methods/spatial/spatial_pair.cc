@@ -186,13 +186,6 @@ bool SpatialPair::smooth_form(const Vector3& u, Matrix3& M) const {
   return true;
 }
 
-Matrix3 SpatialPair::hessian(const Vector3& u, const SpatialPoint& at) const {
-  Matrix3 H;
-  add_hessian(u, at.index_1, at.index_2, 1, H);
-  if (radius() > 0) add_curvature({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {u, radius()}, H);
-  return H;
-}
-
 void SpatialPair::add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
                               Matrix3& H) const {
   curvatures_.add(shape(0), 0, u, index_1, weight, H);

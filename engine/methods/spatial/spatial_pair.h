@@ -88,23 +88,9 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// not.
   bool follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed = nullptr) const;
 
-  /// Whether the Hessian of h_D, balls included, has rank 2 somewhere.
-  bool has_hessian() const noexcept {
-    const bool round = radius() > 0 || has_curved_surface(shape(0)) || has_curved_surface(shape(1));
-    return round && prisms_ == 0;
-  }
-
-  /// The Hessian of h_D at the unit vector u, whose support point is `at`, balls included, added up.
-  Matrix3 hessian(const Vector3& u, const SpatialPoint& at) const;
-
   /// Of ellipsoids and balls, an ellipsoid among them: M with M u = s(u) about the centres, balls included,
   /// the sum of their forms over heights at u. False of other bodies.
   bool smooth_form(const Vector3& u, Matrix3& M) const;
-
-  /// The radius of a ball that rolls inside D and its balls; 0 where none is known.
-  double rolling_radius() const noexcept {
-    return prisms_ == 0 ? radius() + shape(0).rolling_radius + shape(1).rolling_radius : 0.0;
-  }
 
   /// Adds `weight` times the Hessian of u·s(u) for these pieces of the cores.
   void add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
