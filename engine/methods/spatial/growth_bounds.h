@@ -52,7 +52,8 @@ class GrowthBounds {
   SpatialAnswer& answer_;
 };
 
-inline SpatialPoint GrowthBounds::support(const Vector3& u) {
+// Not in line: loops over exchanges and discoveries are the faster for it.
+[[gnu::noinline]] inline SpatialPoint GrowthBounds::support(const Vector3& u) {
   SpatialPoint w;
   pair_.support(u, w);
   w.s = w.s + p_;
@@ -72,7 +73,7 @@ inline bool GrowthBounds::is_done() {
   return answer_.end != SpatialEnd::open;
 }
 
-inline void GrowthBounds::bound_from_below(const Vector3& u, const Vector3& s) {
+[[gnu::noinline]] inline void GrowthBounds::bound_from_below(const Vector3& u, const Vector3& s) {
   const double slack = 2 * pair_.error() * length(u);
   const double along = dot(u, p_) - slack, height = dot(u, s) + slack;
   if (!(along > 0) || !(height > 0)) return;
@@ -93,7 +94,8 @@ inline bool GrowthBounds::bound_in_ball(const Vector3& center, double radius, do
   return leaves > 0;
 }
 
-inline void GrowthBounds::bound_from_above(const SpatialPoint* corner, int count, const double* weight) {
+[[gnu::noinline]] inline void GrowthBounds::bound_from_above(const SpatialPoint* corner, int count,
+                                                             const double* weight) {
   Vector3 r = p_;
   double sum = 0, price = __builtin_inf();
   for (int i = 0; i < count; ++i) {

@@ -106,11 +106,14 @@ bool RayToCores::begin(const SpatialStart& start) {
     height = std::max(height, dot(ahead, corner.s));
     ++simplex_.count;
   }
-  if (simplex_.count > 0) {
-    t_ = (height + pair_.radius()) / dot(ahead, p_);
+  const bool steered = start.has_normal && dot(start.normal, p_) > 0;
+  if (steered || simplex_.count == 0) {
+    SpatialPoint w;
+    t_ = look(steered ? start.normal * (1 / length(start.normal)) : ahead, w);
+    simplex_.weight[simplex_.count] = 1;
+    if (!holds(simplex_, w)) simplex_.point[simplex_.count++] = w;
   } else {
-    t_ = look(ahead, simplex_.point[0]);
-    simplex_.weight[simplex_.count++] = 1;
+    t_ = (height + pair_.radius()) / dot(ahead, p_);
   }
   return true;
 }
@@ -128,9 +131,11 @@ bool RayToCores::run(const SpatialStart& start) {
     const Vector3 center = combine(simplex_, face), way = x - center;
     const double size = length(way);
     if (simplex_.count == 4 || !(size > 0) || !(dot(way, p_) > 0)) return false;
+    const bool bounded = growth_.bound_in_ball(center, pair_.radius(), 0);
+    if (bounded && !start.fine_normal && growth_.is_done()) return true;
     SpatialPoint& w = simplex_.point[simplex_.count];
     const double t = look(way * (1 / size), w);
-    growth_.bound_in_ball(center, pair_.radius(), 0);
+    if (!bounded) growth_.bound_in_ball(center, pair_.radius(), 0);
     const bool settled = !start.fine_normal || std::fabs(t - t_) <= growth_.tolerance() * t_;
     if (growth_.is_done() && settled) return true;
     if (holds(simplex_, w)) {
