@@ -11,7 +11,9 @@ namespace raygauge {
 ///
 /// Polytopes K with balls of the radius ρ in all: x = t p, from outside, comes to where it is ρ away from K
 /// by GJK steps; the normal there, u, proves t <= (h_K(u) + ρ)/u·p, from where the next step goes on (van den
-/// Bergen, Ray Casting against General Convex Objects, 2004). Others: Newton steps.
+/// Bergen, Ray Casting against General Convex Objects, 2004). The ball of radius ρ about the point of K that
+/// x is nearest to bounds σ from above. Others: Newton steps  H δ = p/σ - s(u), δ ⊥ u,  on the condition s(u)
+/// ∥ p; there the ball that rolls inside B, where one does, touches it at s(u).
 bool round_growth(GrowthBounds& growth, const SpatialStart& start);
 
 /// Newton steps on the unit sphere from the direction u. True where the solve is done; the best direction is
