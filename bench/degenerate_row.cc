@@ -21,25 +21,6 @@ namespace {
 
 constexpr double kTimeLimit = 60;
 
-const std::vector<Variant>& families() {
-  const Parameters few = {{"ties", 0.05}};
-  const Parameters none = {{"ties", 0.05}, {"entry", std::int64_t{1}}};
-  const Parameters sheared = {{"ties", 0.05}, {"entry", std::int64_t{1000}}};
-  const auto inside = [](Parameters parameters) {
-    parameters["place"] = std::string("interior");
-    return parameters;
-  };
-  static const std::vector<Variant> kAll = {{"ties", "hard_planted_ties", few},
-                                            {"ties sheared", "hard_planted_unimodular", sheared},
-                                            {"origin on a face", "hard_planted_origin", none},
-                                            {"on a face sheared", "hard_planted_origin", sheared},
-                                            {"origin inside", "hard_planted_origin", inside(none)},
-                                            {"inside sheared", "hard_planted_origin", inside(sheared)},
-                                            {"unreachable", "hard_planted_unreachable", none},
-                                            {"unreachable sheared", "hard_planted_unreachable", sheared}};
-  return kAll;
-}
-
 // Whether the result proves what the instance was planted with.
 bool is_right(const DistanceResult& result, double truth) {
   if (truth == 0) return result.status == DistanceStatus::contains_origin;
@@ -127,7 +108,7 @@ double print_cells(const Effort& effort, const std::function<double(const Varian
   if (!effort.dimensions.empty()) dimensions = effort.dimensions;
   double worst = -INFINITY;
   for (const int n : dimensions) {
-    for (const Variant& family : families()) {
+    for (const Variant& family : planted_variants()) {
       const auto& asked = effort.families;
       if (!asked.empty() && std::find(asked.begin(), asked.end(), family.name) == asked.end()) continue;
       const std::vector<int> own = {n + 2, 3 * n / 2, 2 * n};
@@ -139,12 +120,6 @@ double print_cells(const Effort& effort, const std::function<double(const Varian
 }
 
 }  // namespace
-
-std::vector<std::string> degenerate_families() {
-  std::vector<std::string> names;
-  for (const Variant& family : families()) names.push_back(family.name);
-  return names;
-}
 
 void print_degenerate(const Variant& /*variant*/, const Effort& effort) {
   for (const double limit : effort.limits) {

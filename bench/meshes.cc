@@ -18,6 +18,7 @@
 
 #include "bench/program.h"
 #include "bench/timed_medians.h"
+#include "bench/torus.h"
 #include "cli/input/mesh_file.h"
 #include "raygauge/queries/mesh_distance.h"
 
@@ -33,42 +34,19 @@ struct Settings {
   std::int64_t triangles = 1'000'000;
 };
 
-struct Source {
-  Eigen::Matrix3Xd vertices;
-  std::vector<MeshTriangle> triangles;
-};
-
-Source torus(std::int64_t triangles) {
-  const auto k = static_cast<int>(std::sqrt(static_cast<double>(triangles))),
-             l = static_cast<int>(triangles / 2 / k);
-  Source mesh;
-  mesh.vertices.resize(3, std::ptrdiff_t{k} * l);
-  for (int i = 0; i < k; ++i) {
-    for (int j = 0; j < l; ++j) {
-      const double s = 2 * std::numbers::pi * i / k, t = 2 * std::numbers::pi * j / l,
-                   far = 2 + 0.5 * std::cos(t);
-      mesh.vertices.col(std::ptrdiff_t{i} * l + j) << far * std::cos(s), far * std::sin(s), 0.5 * std::sin(t);
-      const auto at = [&](int a, int b) { return static_cast<std::int32_t>((a % k) * l + b % l); };
-      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return mesh;
-}
-
-Source source_of(const std::string& path) {
+TriangleSource source_of(const std::string& path) {
   if (path.empty()) return torus(20'000);
   const cli::MeshFile file = cli::read_mesh(path);
   return {file.vertices, file.triangles};
 }
 
 /// Moves the mesh to the middle of its box; its radius about that.
-double center(Source& mesh) {
+double center(TriangleSource& mesh) {
   mesh.vertices.colwise() -= (mesh.vertices.rowwise().minCoeff() + mesh.vertices.rowwise().maxCoeff()) / 2;
   return mesh.vertices.colwise().norm().maxCoeff();
 }
 
-std::unique_ptr<FclMesh> fcl_mesh(const Source& mesh) {
+std::unique_ptr<FclMesh> fcl_mesh(const TriangleSource& mesh) {
   auto model = std::make_unique<FclMesh>();
   std::vector<fcl::Vector3d> vertices;
   std::vector<fcl::Triangle> triangles;
@@ -82,7 +60,7 @@ std::unique_ptr<FclMesh> fcl_mesh(const Source& mesh) {
   return model;
 }
 
-void time_build(const Source& mesh) {
+void time_build(const TriangleSource& mesh) {
   for (const int threads : {1, 2}) {
     std::unique_ptr<Mesh> ours;
     const double seconds = seconds_of(
@@ -112,7 +90,7 @@ void print(const char* name, const std::vector<double>& seconds) {
 
 class Queries {
  public:
-  Queries(const Source& one, const Source& two)
+  Queries(const TriangleSource& one, const TriangleSource& two)
       : one_(one.vertices, one.triangles),
         two_(two.vertices, two.triangles),
         fcl_one_(fcl_mesh(one)),
@@ -208,7 +186,7 @@ void options(CLI::App& app, Settings& settings) {
 
 void run(const Settings& settings) {
   if (settings.triangles > 0) time_build(torus(settings.triangles));
-  Source one = source_of(settings.first), two = source_of(settings.second);
+  TriangleSource one = source_of(settings.first), two = source_of(settings.second);
   const double size = center(one) + center(two);
   std::printf("meshes of %zu and %zu triangles\n", one.triangles.size(), two.triangles.size());
   Queries(one, two).run(random_poses(settings.poses, settings.reach * size));

@@ -41,7 +41,6 @@ void print_shapes(const Variant& variant, const Effort& effort);
 /// Planted integer instances with degenerate optima at n = 50 … 500, N = n + 2 … 2 n: how many are proven,
 /// and column_generation / Clp one by one. Instances of its own, whatever the variant.
 void print_degenerate(const Variant& variant, const Effort& effort);
-std::vector<std::string> degenerate_families();                 ///< the names of its families
 void print_n100(const Variant& variant, const Effort& effort);  ///< column_generation / LP; n = 100, N = 1e4
 void print_memory(const Variant& variant,
                   const Effort& effort);  ///< the solver's heap / the points; N = 1e6, n = 10

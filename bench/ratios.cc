@@ -32,6 +32,8 @@ const Rows kRows = {{"grid", print_grid},
                     {"growth", print_growth}};
 
 void add_degenerate_options(CLI::App& app, Effort& effort) {
+  std::vector<std::string> families;
+  for (const Variant& family : planted_variants()) families.push_back(family.name);
   app.add_option("--limit", effort.limits,
                  "limits in seconds, separated by commas: the row degenerate shows the bounds of solves that "
                  "end there, without competitors; none: a minute, with them")
@@ -40,7 +42,7 @@ void add_degenerate_options(CLI::App& app, Effort& effort) {
   app.add_option("--families", effort.families,
                  "families of the row degenerate, separated by commas; none: all of them")
       ->delimiter(',')
-      ->check(CLI::IsMember(degenerate_families()));
+      ->check(CLI::IsMember(families));
   app.add_option("--points", effort.points,
                  "points of the row degenerate, separated by commas; none: n + 2, 1.5 n, 2 n")
       ->delimiter(',')

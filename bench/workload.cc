@@ -3,6 +3,7 @@
 #include "bench/workload.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "baselines/registry.h"
 #include "generators/registry.h"
@@ -40,11 +41,32 @@ const std::vector<Variant>& variants() {
   return all;
 }
 
+const std::vector<Variant>& planted_variants() {
+  const Parameters few = {{"ties", 0.05}};
+  const Parameters none = {{"ties", 0.05}, {"entry", std::int64_t{1}}};
+  const Parameters sheared = {{"ties", 0.05}, {"entry", std::int64_t{1000}}};
+  const auto inside = [](Parameters parameters) {
+    parameters["place"] = std::string("interior");
+    return parameters;
+  };
+  static const std::vector<Variant> kAll = {{"ties", "hard_planted_ties", few},
+                                            {"ties sheared", "hard_planted_unimodular", sheared},
+                                            {"origin on a face", "hard_planted_origin", none},
+                                            {"on a face sheared", "hard_planted_origin", sheared},
+                                            {"origin inside", "hard_planted_origin", inside(none)},
+                                            {"inside sheared", "hard_planted_origin", inside(sheared)},
+                                            {"unreachable", "hard_planted_unreachable", none},
+                                            {"unreachable sheared", "hard_planted_unreachable", sheared}};
+  return kAll;
+}
+
 const Variant& find_variant(const std::string& name) {
   std::vector<std::string> known;
-  for (const Variant& variant : variants()) {
-    if (variant.name == name) return variant;
-    known.push_back(variant.name);
+  for (const auto* some : {&variants(), &planted_variants()}) {
+    for (const Variant& variant : *some) {
+      if (variant.name == name) return variant;
+      known.push_back(variant.name);
+    }
   }
   throw UnknownNameError("variant", name, known);
 }

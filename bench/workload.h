@@ -22,7 +22,11 @@ struct Variant {
 /// "random", "clustered", "needle" (aspect 1e4), "far" (separation 50) and "near" (1 + 1e-6).
 const std::vector<Variant>& variants();
 
-/// Throws UnknownNameError.
+/// Integer instances with degenerate optima: "ties", "ties sheared", "origin on a face", "on a face sheared",
+/// "origin inside", "inside sheared", "unreachable" and "unreachable sheared".
+const std::vector<Variant>& planted_variants();
+
+/// Of both. Throws UnknownNameError.
 const Variant& find_variant(const std::string& name);
 
 Instance make_instance(const Variant& variant, int n, int N, int repetition);

@@ -8,10 +8,10 @@
 #include <set>
 #include <utility>
 
-#include "analysis/render/number_text.h"
-#include "analysis/render/words.h"
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "analysis/render/tikz.h"
 #include "engine/numerics/number_text.h"
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program
 

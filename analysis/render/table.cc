@@ -10,9 +10,9 @@
 #include "analysis/render/formats/latex_table.h"
 #include "analysis/render/formats/markdown_table.h"
 #include "analysis/render/formats/text_table.h"
-#include "analysis/render/number_text.h"
 #include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

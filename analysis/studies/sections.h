@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "analysis/render/report/report.h"
+#include "analysis/studies/report.h"
 
 namespace raygauge::report {
 

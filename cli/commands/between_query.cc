@@ -7,10 +7,10 @@
 #include <chrono>
 #include <vector>
 
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sets/ball.h"
 #include "raygauge/sets/point_set.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "analysis/render/table.h"
-#include "analysis/render/words.h"
 #include "analysis/studies/compare/compare.h"
 #include "analysis/studies/compare/compare_circumstances.h"
 #include "analysis/studies/compare/compare_tables.h"
@@ -24,6 +23,7 @@
 #include "raygauge/exceptions.h"
 #include "results/run/results_file.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -9,11 +9,11 @@
 #include "cli/commands/commands.h"
 #include "cli/console/interrupt.h"
 #include "cli/input/registries.h"
-#include "cli/output/counted.h"
 #include "cli/output/output_file.h"
 #include "cli/output/refutation_report.h"
 #include "raygauge/exceptions.h"
 #include "results/journal/csv.h"
+#include "results/text/words.h"
 #include "scene/file/scene_file.h"
 
 namespace raygauge::cli {

@@ -10,8 +10,8 @@
 #include "cli/output/build_report.h"
 #include "cli/output/file_report.h"
 #include "cli/output/shard_report.h"
+#include "results/disk/run_directory.h"
 #include "results/run/results_file.h"
-#include "results/run/run_directory.h"
 #include "scene/commands/scene_text.h"
 
 namespace raygauge::cli {

@@ -8,9 +8,9 @@
 
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
-#include "cli/output/counted.h"
 #include "results/merge/merge_parts.h"
 #include "results/run/output_place.h"
+#include "results/text/words.h"
 #include "scene/file/scene_writer.h"
 
 namespace raygauge::cli {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "analysis/render/figures/description.h"
-#include "analysis/render/figures/figure.h"
+#include "analysis/studies/figures.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"

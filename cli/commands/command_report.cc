@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/render/report/report.h"
+#include "analysis/studies/report.h"
 #include "cli/commands/analysis_options.h"
 #include "cli/commands/commands.h"
 #include "cli/output/output_file.h"

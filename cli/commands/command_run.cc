@@ -15,12 +15,12 @@
 #include "cli/console/interrupt.h"
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
-#include "cli/output/counted.h"
 #include "cli/output/progress.h"
 #include "cluster/ranks.h"
 #include "engine/sweep/estimate.h"
 #include "raygauge/exceptions.h"
 #include "raygauge/sweep.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "cli/input/registries.h"
 #include "cluster/slurm.h"
 #include "raygauge/exceptions.h"
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 #include "results/run/output_place.h"
 #include "results/text/language.h"
 

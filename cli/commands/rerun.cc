@@ -19,7 +19,7 @@
 #include "cli/input/experiment_file.h"
 #include "cli/input/registries.h"
 #include "raygauge/exceptions.h"
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 #include "results/run/results_file.h"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to the program

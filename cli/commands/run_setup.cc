@@ -10,7 +10,6 @@
 #include "baselines/registry.h"
 #include "cli/commands/commands.h"
 #include "cli/console/interrupt.h"
-#include "cli/output/counted.h"
 #include "cli/output/run_summary.h"
 #include "cli/output/terminal.h"
 #include "engine/sweep/share.h"
@@ -21,6 +20,7 @@
 #include "results/run/shards.h"
 #include "results/run/stored_cells.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -11,8 +11,8 @@
 #include "cli/input/number_word.h"
 #include "cli/input/point_file.h"
 #include "cli/input/text_table.h"
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "cli/input/input_file.h"
 #include "cli/input/number_word.h"
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "cli/input/input_file.h"
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

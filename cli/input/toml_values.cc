@@ -7,8 +7,8 @@
 #include <limits>
 #include <sstream>
 
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

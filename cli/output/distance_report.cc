@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "cli/output/counted.h"
 #include "engine/methods/counters.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

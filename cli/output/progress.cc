@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output/progress.h"
 
-#include "cli/output/counted.h"
 #include "cli/output/terminal.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

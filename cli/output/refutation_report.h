@@ -9,7 +9,7 @@
 #include "analysis/data/filter.h"
 #include "raygauge/sweep/instance.h"
 #include "raygauge/sweep/record.h"
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 
 namespace raygauge::cli {
 

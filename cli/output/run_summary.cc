@@ -9,9 +9,9 @@
 #include <set>
 #include <utility>
 
-#include "cli/output/counted.h"
 #include "cli/output/terminal.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "engine/kernels/shortlist_kernels.h"
 #include "engine/kernels/tableau_kernels.h"
+#include "engine/kernels/tuning.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
@@ -46,7 +47,8 @@ class Shortlists {
     const Shortlist A = A_;
     const Shortlist Q = Q_;
     double promised = 0;  // by the first
-    for (int turn = 0; turn < kMinorPivots && basis->pivots < loop->pivot_limit; ++turn) {
+    const int changes = tuned::kChangesByShortlist;
+    for (int turn = 0; turn < changes && basis->pivots < loop->pivot_limit; ++turn) {
       const double t = basis->y[n];
       int lane_A = 0;
       int lane_Q = 0;
@@ -57,7 +59,7 @@ class Shortlists {
       const bool take_A = best.A_enters() && (!best.Q_enters() || best.d_A < best.d_Q * absolute(t));
       if (V == 0) {
         const double promise = take_A ? -best.d_A : -best.d_Q * absolute(t);
-        if (promise < kWorthEntering * promised) return true;
+        if (promise < tuned::kColumnWorthEntering * promised) return true;
         if (turn == 0) promised = promise;
       }
       const Shortlist& list = take_A ? A : Q;
@@ -77,13 +79,6 @@ class Shortlists {
   }
 
  private:
-  static constexpr int kMinorPivots = 8;
-
-  // Many dimensions make basis changes dear: a column that promises less than this share of what the pass's
-  // best one promised waits for the next pass. That leaves out a fifth of the changes at n = 150, a quarter
-  // at 200.
-  static constexpr double kWorthEntering = 0.4;
-
   int n_;
   Shortlist A_;
   Shortlist Q_;
@@ -210,8 +205,6 @@ class Tableaux {
   }
 
  private:
-  static constexpr int kMinorPivots = 24;
-
   template <class Real>
   Tableau<N, Real>& start() {
     is_single_ = std::is_same_v<Real, float>;
@@ -258,7 +251,8 @@ class Tableaux {
         {loop->A.blocks, loop->A.size, 1.0, 1.0, 0.0, -worth.tolerance_A},
         {loop->Q.blocks, loop->Q.size, -1.0, 0.0, loop->cost_of_Q, -worth.tolerance_Q}};
     Proposal next = form<V>(tableau, *basis, dantzig);
-    for (int turn = 0; turn < kMinorPivots && next.column >= 0 && basis->pivots < loop->pivot_limit; ++turn) {
+    const int changes = tuned::kChangesByTableau;
+    for (int turn = 0; turn < changes && next.column >= 0 && basis->pivots < loop->pivot_limit; ++turn) {
       const int of_Q = next.column >= tableau->kOfSet ? 1 : 0;
       const ColumnsOfSet& set = sets[of_Q];
       const std::ptrdiff_t i = point_of(*tableau, next.column, set.size);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/lp/tuning.h"
 #include "engine/numerics/splitmix64.h"
 
 namespace raygauge {
@@ -12,25 +13,21 @@ namespace {
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
 
-// Coordinates of a sample from which on pricing it in single precision saves more than making the copy takes.
-constexpr std::ptrdiff_t kWorthRounding = 8192;
-
-constexpr int kManyDimensions = 48;
-constexpr std::ptrdiff_t kSampleOverDimension = 8;
-
 // Blocks in the sample of a large set. With s points sampled of N about nN/s are left on the wrong side of
 // the sample's normal, so that sqrt(nN) points make both sets alike; the factor is measured.
 //
 // In many dimensions that would be fewer points than make a basis, or little more, which is another problem.
 std::ptrdiff_t sample_blocks(const PointSet& S) {
   const double balanced = std::sqrt(static_cast<double>(S.dimension()) * static_cast<double>(S.size()));
-  const auto sample = static_cast<std::ptrdiff_t>(balanced / 16);
-  if (S.dimension() < kManyDimensions) {
-    const auto few = std::max<std::ptrdiff_t>(S.dimension() < 5 ? 16 : 8, sample);
+  const auto sample = static_cast<std::ptrdiff_t>(balanced / (tuned::kSampleDivisor * kLanes));
+  if (S.dimension() < tuned::kManyDimensionsOfSample) {
+    const auto few = std::max<std::ptrdiff_t>(
+        S.dimension() < 5 ? tuned::kLeastSampleInFew : tuned::kLeastSampleInMore, sample);
     return 2 * few >= S.block_count() ? S.block_count() : few;
   }
-  const std::ptrdiff_t enough = std::max(sample, kSampleOverDimension * S.dimension() / kLanes);
-  return 2 * enough >= S.block_count() ? S.block_count() : enough;
+  const std::ptrdiff_t enough = std::max(sample, tuned::kSampleOverDimension * S.dimension() / kLanes);
+  const bool is_small = S.size() * S.dimension() < tuned::kWorthSampling;
+  return is_small || 2 * enough >= S.block_count() ? S.block_count() : enough;
 }
 
 // One of `size` things out of each of `strata`; fixed, so that a solve is reproducible.
@@ -53,7 +50,7 @@ void ColumnPool::choose(const PointSet& S, const double* factor, bool trivial, b
   if (in_single && S.single_data() != nullptr) return take_all(S, factor, trivial, in_single);
   const std::ptrdiff_t sample = sample_blocks(S);
   if (sample >= S.block_count()) return take_all(S, factor, trivial, in_single);
-  in_single_ = in_single && sample * kLanes * S.dimension() >= kWorthRounding;
+  in_single_ = in_single && sample * kLanes * S.dimension() >= tuned::kWorthRounding;
   take_sample(S, factor, sample);
 }
 
@@ -121,7 +118,7 @@ void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial,
   if (trivial) {
     blocks_ = S.data();
     single_blocks_ = S.single_data();
-    if (in_single && single_blocks_ == nullptr && n_ >= kManyDimensions) round_all();
+    if (in_single && single_blocks_ == nullptr && n_ >= tuned::kManyDimensionsOfSample) round_all();
     return;
   }
   grow_to(size_);
@@ -132,7 +129,7 @@ void ColumnPool::take_all(const PointSet& S, const double* factor, bool trivial,
       for (int lane = 0; lane < kLanes; ++lane) copy[offset + lane] = factor[k] * S.data()[offset + lane];
     }
   }
-  if (in_single && n_ >= kManyDimensions) round_all();
+  if (in_single && n_ >= tuned::kManyDimensionsOfSample) round_all();
 }
 
 // blocks_ in single precision: many pricings read them.

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "engine/lp/affords.h"
+#include "engine/lp/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -23,8 +24,6 @@ constexpr double kConverged = 1e-11;
 // The same where a few columns stay undecided: one for so many dimensions.
 constexpr double kNearlyConverged = 1e-8;
 constexpr int kForEachTie = 200;
-// x·s per unit of t down to which products in single precision suffice.
-constexpr double kCoarse = 1e-3;
 // Where both sets have magnitude 1: t and x·s below which they do not, and t above.
 constexpr double kMostlyZero = 1e-3;
 constexpr double kMostlyFar = 1e3;
@@ -37,13 +36,11 @@ constexpr double kShortest = 1e-6;  // a step below makes no progress
 constexpr double kFirstSupport = 0.5;
 // Points of both sets for each dimension, from which on Q mostly reaches A. Of fewer the question is
 // whether it does: what takes the way along the centre sooner to an optimum shows that there is none later.
-constexpr std::ptrdiff_t kManyPoints = 4;
 constexpr double kSpread = 4;
 constexpr double kLeastSum = 1.0;
 constexpr double kMostSum = 1e6;
 // Columns that weigh less than this share of the (n + 1)st heaviest are left out of the matrix: a little of
 // each step is lost, and made up for by the next. Where steps become short, more is kept.
-constexpr double kNegligible = 1e-3;
 constexpr double kLeastNegligible = 1e-5;
 constexpr double kShortStep = 0.1;
 constexpr double kMoreKept = 0.1;
@@ -100,8 +97,8 @@ void InteriorPoint::begin(const PricedPoints& A, const PricedPoints& Q, int n, c
   sides_[0].bind(A, 1.0);
   sides_[1].bind(Q, -1.0);
   count_ = A.size + Q.size;
-  many_ = count_ >= kManyPoints * n;
-  negligible_ = kNegligible;
+  many_ = count_ >= tuned::kManyPointsInside * n;
+  negligible_ = tuned::kNegligibleColumns;
   const auto size = static_cast<std::size_t>(n) + 1;
   y_.reserve(size);
   duals_.reserve(size);
@@ -145,7 +142,7 @@ InteriorPoint::End InteriorPoint::iterate(const Stopwatch& stopwatch) {
     const double gap = complementarity(sides_);
     const double scale = std::fabs(t);
     const bool moderate = scale + gap > kMostlyZero && t < std::min(kMostlyFar, enough_);
-    if (!(gap > kCoarse * scale) || !moderate) passes_.leave_single(sides_, y_.data());
+    if (!(gap > tuned::kCoarseProducts * scale) || !moderate) passes_.leave_single(sides_, y_.data());
     if (!moderate) negligible_ = 0;  // on the way to 0 or to infinity every column counts
     if (t >= enough_) return End::converged;
     if (gap <= kConverged * scale) return End::converged;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <utility>
 
+#include "engine/lp/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -17,11 +18,9 @@ using VectorMap = Eigen::Map<Eigen::VectorXd>;
 
 constexpr double kStep = 0.995;  // of the way to the boundary
 // Of further correctors, after J. Gondzio, Comput. Optim. Appl. 6 (1996).
-constexpr int kCorrections = 4;
 constexpr double kReachFurther = 0.3;   // longer steps to aim at
 constexpr double kNeighbourhood = 0.1;  // of the centre, for products x·s: from 0.1 to 10 times it
 constexpr double kLongEnough = 0.9;     // a step
-constexpr double kWorthwhile = 0.05;    // gain in length of both steps
 
 // The weights x / s of the matrix. Those of A count (Σβ)² times as much: compared in the units of each, x
 // about 1 in A and s about Σβ, and the other way round in Q.
@@ -195,13 +194,13 @@ StepLengths InteriorStep::choose(InteriorSides& sides, InteriorPasses& passes, b
   }
   follow_targets(sides, passes);
   StepLengths lengths = longest_steps(sides);
-  for (int correction = 0; correct && correction < kCorrections; ++correction) {
+  for (int correction = 0; correct && correction < tuned::kCorrectionsOfStep; ++correction) {
     if (std::min(lengths.x, lengths.s) > kLongEnough) break;
     draw_to_centre(sides, lengths, centre);
     keep(sides);
     follow_targets(sides, passes);
     const StepLengths corrected = longest_steps(sides);
-    if (corrected.x + corrected.s < lengths.x + lengths.s + kWorthwhile) {
+    if (corrected.x + corrected.s < lengths.x + lengths.s + tuned::kWorthCorrecting) {
       keep(sides);  // the one before
       break;
     }

@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/lp/tuning.h"
 #include "engine/sets/highest_points.h"
 
 namespace raygauge {
 namespace {
 
-// Coordinates from which on a second thread may pay: some 10 µs of reading.
-constexpr std::ptrdiff_t kSharedNumbers = std::ptrdiff_t{1} << 15;
-
-// Coordinates from which on a helper that sleeps is woken for them, which takes it some 50 µs.
-constexpr std::ptrdiff_t kWorthWaking = std::ptrdiff_t{1} << 17;
-
-// Coordinates of a chunk, a few µs of reading, against the fraction of one that taking it costs.
-constexpr std::ptrdiff_t kChunkNumbers = std::ptrdiff_t{1} << 14;
 constexpr std::ptrdiff_t kMostChunks = 64;
 
 std::ptrdiff_t begin_of(std::ptrdiff_t whole, std::ptrdiff_t chunk, std::ptrdiff_t chunks) {
@@ -46,14 +39,14 @@ Found read_chunk(const Kernels& kernels, const PointSet& S, const double* u, con
 double shared_pass(const Kernels& kernels, const PointSet& S, const double* u, Collection& collection,
                    int threads, ChunkTeam& team) {
   const std::ptrdiff_t numbers = S.block_count() * PointSet::kLanes * S.dimension();
-  if (threads == 1 || numbers < kSharedNumbers || S.tree() != nullptr) {
+  if (threads == 1 || numbers < tuned::kSharedNumbers || S.tree() != nullptr) {
     return collect_points(kernels, S, u, collection);
   }
   team.resize(threads);
   const auto chunks = static_cast<int>(
-      std::min({numbers / kChunkNumbers, kMostChunks, S.block_count(), collection.capacity / 2}));
+      std::min({numbers / tuned::kNumbersOfChunk, kMostChunks, S.block_count(), collection.capacity / 2}));
   std::array<Found, kMostChunks> found;
-  team.run(chunks, numbers >= kWorthWaking, [&](int chunk) {
+  team.run(chunks, numbers >= tuned::kNumbersWorthWaking, [&](int chunk) {
     found[static_cast<std::size_t>(chunk)] = read_chunk(kernels, S, u, collection, chunk, chunks);
   });
 

@@ -1,6 +1,7 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include "engine/meshes/box_tree.h"
+#include "engine/meshes/tuning.h"
 
 #include <algorithm>
 #include <bit>
@@ -183,7 +184,7 @@ BoxTree::Limits BoxTree::build(std::vector<SplitItem>& items, const Span& span, 
   const auto first = items.begin() + span.begin, last = items.begin() + span.end;
   const std::span<const SplitItem> here{first, last};
   const std::ptrdiff_t unit = span.size() > WideTree::kBlock ? WideTree::kBlock : kLeaf;
-  const BoxSplit split = span.size() > WideTree::kBlock && span.size() <= kSearched
+  const BoxSplit split = span.size() > WideTree::kBlock && span.size() <= tuned::kSearchedTriangles
                              ? best_split(here, unit)
                              : middle_split(here, unit);
   const std::ptrdiff_t middle = span.begin + split.first;
@@ -214,7 +215,7 @@ BoxTree::Limits BoxTree::build(std::vector<SplitItem>& items, const Span& span, 
 void BoxTree::bound(const Span& span, const Limits& limits) {
   BoxNode& box = nodes_[static_cast<std::size_t>(span.node)];
   box = BoxNode::around(limits.low, limits.high);
-  if (span.size() > kOriented) return;
+  if (span.size() > tuned::kOrientedTriangles) return;
   const Triangles triangles{triangles_.data() + span.begin, static_cast<std::size_t>(span.size())};
   BoxNode oriented{};
   if (!lay_along(triangles, vector_of(box.center), oriented)) return;

@@ -61,15 +61,13 @@ struct TriangleRange {
 
 /// A binary tree of boxes about triangles, whose numbers are those of the tree: kLeaf follow one another in a
 /// leaf. A node of many triangles is cut across the longest side of the box of their centres, half of them to
-/// either side, one of at most kSearched where it is best, always after whole leaves, and after whole blocks
+/// either side, one of few where it is best, always after whole leaves, and after whole blocks
 /// of the WideTree, so that the places of both halves are known and subtrees are built in parallel. Boxes of
-/// at most kOriented triangles may lie along the surface: on a smooth one their thickness falls with the
+/// few triangles may lie along the surface: on a smooth one their thickness falls with the
 /// square of their size. (Gottschalk, Lin & Manocha, "OBBTree", 1996.)
 class BoxTree {
  public:
   static constexpr std::ptrdiff_t kLeaf = 2;
-  static constexpr std::ptrdiff_t kOriented = 512;
-  static constexpr std::ptrdiff_t kSearched = 1024;
 
   /// Indices are checked.
   BoxTree(const Eigen::Ref<const Eigen::Matrix3Xd>& vertices, std::span<const MeshTriangle> triangles,

@@ -10,18 +10,16 @@
 
 #include "engine/numerics/decompositions.h"
 #include "engine/numerics/floating_point.h"
+#include "engine/queries/tuning.h"
 
 namespace raygauge {
 namespace {
 
 constexpr int kSingleLanes = PointSet::kSingleLanes;
 constexpr int kRow = WalkedPoints::kRow;
-constexpr int kListed = 50;  // points that columns are chosen from, times n
-constexpr int kChosen = 8;   // columns, times n
-constexpr float kFirstShare = 0.5F, kLeastShare = 0.2F, kMostShare = 0.9F;  // of the highest points along x
-constexpr int kPivots = 12;                                                 // of a walk, times n
-constexpr int kCandidates = 4;                                              // for a first basis, times n
-constexpr double kInPlane = 1e-9;                                           // relative: points of a facet
+constexpr float kLeastShare = 0.2F, kMostShare = 0.9F;  // of the highest points along x
+constexpr int kCandidates = 4;                          // for a first basis, times n
+constexpr double kInPlane = 1e-9;                       // relative: points of a facet
 constexpr double kIndependent = 1e-16;  // squared distance of a point from the space of others
 constexpr double kSlack = 1e-9;         // for sums in double
 constexpr int kBuckets = 64;
@@ -74,7 +72,7 @@ FacetWalker::FacetWalker(const WalkedPoints& points)
   group_.blocks = blocks_.data();
   group_.rounded = rounded_.data();
   group_.room = PointWalk::kRoom;
-  group_.pivot_limit = kPivots * points.n;
+  group_.pivot_limit = tuned::kPivotsOfWalk * points.n;
   for (int i = 0; i < kWalksTogether; ++i) {
     walks_.push_back(std::make_unique<PointWalk>(points));
     idle_.push_back(walks_.back().get());
@@ -97,7 +95,7 @@ bool FacetWalker::begin(const Vector& facet_normal) {
     first.y[k] = static_cast<float>(R.col(k).sum());
     first.id[k] = facet[static_cast<std::size_t>(k)];
   }
-  share_ = kFirstShare;
+  share_ = tuned::kFirstShare;
   known_.clear(n);
   known_.add(first);
   return true;
@@ -186,14 +184,14 @@ std::vector<std::int32_t> FacetWalker::points_in_plane() const {
 // Over points near by.
 void FacetWalker::walk() {
   group_.known = known_.list();
-  const int listed = kListed * all_->n / kSingleLanes / 2 * 2;
+  const int listed = tuned::kListedPoints * all_->n / kSingleLanes / 2 * 2;
   group_.listed = std::min(listed, static_cast<int>(block_count_));
   group_.share_of_highest = share_;
   fill_blocks(group_.listed);
   Raw walks;
   for (PointWalk* walk : begun_) walks.add(walk);
   all_->kernels->walk_facets(&group_, walks.data(), walks.size());
-  const int wanted = kChosen * all_->n;
+  const int wanted = tuned::kChosenColumns * all_->n;
   for (const PointWalk* walk : begun_) {
     if (!walk->arrived()) continue;
     if (walk->walk().chosen > wanted) share_ = std::min(share_ + 0.01F, kMostShare);
@@ -205,7 +203,7 @@ void FacetWalker::walk() {
 void FacetWalker::walk_farther() {
   const bool all = block_count_ * kSingleLanes <= PointWalk::kRoom;
   group_.listed = static_cast<int>(block_count_);
-  group_.share_of_highest = all ? -std::numeric_limits<float>::infinity() : kFirstShare;
+  group_.share_of_highest = all ? -std::numeric_limits<float>::infinity() : tuned::kFirstShare;
   for (PointWalk* walk : begun_) {
     FacetWalk* raw = &walk->walk();
     if (!walk->arrived()) {

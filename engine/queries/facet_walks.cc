@@ -12,18 +12,16 @@
 
 #include "engine/proof/certificate.h"
 #include "engine/queries/facet_walker.h"
+#include "engine/queries/tuning.h"
 
 namespace raygauge {
 namespace {
 
-constexpr std::ptrdiff_t kLeastPoints = 60;    // times n: below, single solves are as quick
 constexpr std::ptrdiff_t kMostPoints = 65536;  // a group sorts them
 constexpr double kLeastTolerance = 1e-10;      // what is found has been proven to about 1e-12
 constexpr double kFlattest = 0x1p-10;          // the least extent along a coordinate, relative to the largest
-constexpr std::size_t kPerFacet = 224;         // points of a group, on average
-constexpr std::size_t kFewFacets = 128, kPerFewFacets = 24;  // where points are few
-constexpr std::size_t kMostFacets = 1024;                    // that a point is compared with
-constexpr std::ptrdiff_t kChunk = 1024;                      // points that a thread sorts at once
+constexpr std::size_t kMostFacets = 1024;      // that a point is compared with
+constexpr std::ptrdiff_t kChunk = 1024;        // points that a thread sorts at once
 
 }  // namespace
 
@@ -64,12 +62,13 @@ FacetWalks::~FacetWalks() = default;
 
 bool FacetWalks::suits(const PointSet& S) noexcept {
   const int n = S.dimension();
-  return n >= 2 && n <= WalkedPoints::kRow && S.size() >= kLeastPoints * n && S.size() <= kMostPoints;
+  return n >= 2 && n <= WalkedPoints::kRow && S.size() >= tuned::kLeastPointsOfWalks * n &&
+         S.size() <= kMostPoints;
 }
 
 std::ptrdiff_t FacetWalks::facets_for(std::size_t points) noexcept {
-  const std::size_t few = std::min(points / kPerFewFacets, kFewFacets);
-  return static_cast<std::ptrdiff_t>(std::min(std::max(points / kPerFacet, few), kMostFacets));
+  const std::size_t few = std::min(points / tuned::kFewPointsOfFacet, std::size_t{tuned::kFewFacets});
+  return static_cast<std::ptrdiff_t>(std::min(std::max(points / tuned::kPointsOfFacet, few), kMostFacets));
 }
 
 void FacetWalks::add_facet(const Vector& normal) {

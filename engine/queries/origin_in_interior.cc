@@ -12,13 +12,11 @@
 #include "engine/lp/scaling.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/stopwatch.h"
+#include "engine/queries/tuning.h"
 #include "raygauge/queries/solver.h"
 
 namespace raygauge {
 namespace {
-
-// Dimensions from which on weights are looked for before linear programs, which take longer.
-constexpr int kManyDimensions = 64;
 
 // Weights by Newton steps or two linear programs that prove it for most sets with the origin inside. False
 // says nothing.
@@ -27,7 +25,7 @@ bool surrounds_origin(const PointSet& Q, const Stopwatch& stopwatch) {
   scaling.compute(Q, Q);
   ColumnPool points;
   points.choose(Q, scaling.factor_Q(), scaling.trivial_Q(), true);
-  if (Q.dimension() >= kManyDimensions &&
+  if (Q.dimension() >= tuned::kManyDimensionsOfOrigin &&
       are_centred(points.view(), Q.dimension(), best_kernels(), stopwatch))
     return true;
   GaugeBound bound;

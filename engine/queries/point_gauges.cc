@@ -7,14 +7,9 @@
 
 #include "engine/numerics/floating_point.h"
 #include "engine/queries/membership_options.h"
+#include "engine/queries/tuning.h"
 
 namespace raygauge {
-namespace {
-
-constexpr std::ptrdiff_t kLeastForWalks = 1024;  // points
-
-}  // namespace
-
 PointGauges::PointGauges(const ConvexSet& S, const PointsOptions& options)
     : S_(&S),
       options_(options),
@@ -26,7 +21,7 @@ PointGauges::PointGauges(const ConvexSet& S, const PointsOptions& options)
 
 bool PointGauges::may_walk(const ConvexSet& S, std::ptrdiff_t points) noexcept {
   const PointSet* set = as_point_set(S);
-  return points >= kLeastForWalks && set != nullptr && FacetWalks::suits(*set);
+  return points >= tuned::kLeastForWalks && set != nullptr && FacetWalks::suits(*set);
 }
 
 void PointGauges::solve(const Points& X, const Indices& which, const Pose* pose, bool with_normals) {

@@ -12,16 +12,14 @@
 #include "engine/methods/spatial/precise_distance.h"
 #include "engine/methods/spatial/precise_growth.h"
 #include "engine/methods/spatial/spatial_growth.h"
+#include "engine/methods/spatial/tuning.h"
 
 namespace raygauge {
 namespace {
 
-constexpr double kLeastSquare = 1e-200;           // of a normal that a start may have
-constexpr SpatialNearness kNearFlat{2e-2, 1e-6};  // where other steps are faster
-constexpr std::ptrdiff_t kFewPoints = 300;  // of two bodies, whose facets GJK finds as fast as the portal ...
-constexpr std::ptrdiff_t kFewPointsFromStart = 2000;  // ... and where it begins near them
-constexpr double kClose = 0x1p-40;                    // of a size
-constexpr double kUnitSquare = 0x1p-50;               // how far from 1 the square of a unit vector may be
+constexpr double kLeastSquare = 1e-200;  // of a normal that a start may have
+constexpr double kClose = 0x1p-40;       // of a size
+constexpr double kUnitSquare = 0x1p-50;  // how far from 1 the square of a unit vector may be
 
 // Needles of an ellipsoid: support points of doubles crowd around the contact, and double-double Newton steps
 // find it at once; not of many points, whose passes in that arithmetic take longer.
@@ -99,12 +97,15 @@ void SpatialSolve::closest_points(double* point_1, double* point_2) const {
 // points than the nearest one, and is mostly that one.
 void SpatialSolve::step_on_cores(double tolerance) {
   const bool has_start = record_.start.count > 0 || record_.start.has_normal;
-  const bool may_begin_at_portal = pair_.has_vertices() && pair_.radius() == 0 &&
-                                   points() > (has_start ? kFewPointsFromStart : kFewPoints);
-  spatial_distance(pair_, tolerance, record_.start, may_begin_at_portal ? kNearFlat : SpatialNearness{},
-                   record_.answer);
+  const bool may_begin_at_portal =
+      pair_.has_vertices() && pair_.radius() == 0 &&
+      points() > (has_start ? tuned::kFewPointsFromStart : tuned::kFewPointsOfHulls);
+  spatial_distance(
+      pair_, tolerance, record_.start,
+      may_begin_at_portal ? SpatialNearness{tuned::kNearFacets, tuned::kTouchingFacets} : SpatialNearness{},
+      record_.answer);
   if (!may_begin_at_portal || record_.answer.end != SpatialEnd::open ||
-      !(record_.answer.bounds.upper() > kNearFlat.very_near * pair_.size())) {
+      !(record_.answer.bounds.upper() > tuned::kTouchingFacets * pair_.size())) {
     return;
   }
   constexpr double kExact = 1e-15;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "engine/methods/spatial/spatial_distance.h"
+#include "engine/methods/spatial/tuning.h"
 #include "raygauge/methods/result.h"
 
 namespace raygauge {
@@ -92,7 +93,7 @@ class SpatialSolve {
   const ConvexSet* first_ = nullptr;
   InstructionSet isa_ = InstructionSet::automatic;
   double enough_ = 0;
-  double near_curved_ = 3e-2;  // of the size: where other steps are faster
+  double near_curved_ = tuned::kNearCurved;  // of the size: where other steps are faster
 };
 
 }  // namespace raygauge

@@ -9,14 +9,11 @@
 #include "engine/proof/bounds.h"
 #include "engine/proof/certificate.h"
 #include "engine/queries/streamed_hull.h"
+#include "engine/queries/tuning.h"
 
 namespace raygauge {
 namespace {
 
-// Points so little below the best known ones, relative, are the next to price out.
-constexpr double kReach = 0.05;
-// Of the tolerance: the gap of a solve of working sets, and what a point of either set may gain.
-constexpr double kShare = 0.25;
 // Of a plane that leaves a set behind, how much nearer points may come.
 constexpr double kShareOfPlane = 0.5;
 // Far more than any problem needs.
@@ -75,7 +72,7 @@ const DistanceResult& StreamedDistance::solve(Effects effects) {
 // Of the working sets as they are now.
 void StreamedDistance::resolve() {
   DistanceOptions options = options_;
-  options.tolerance *= kShare;
+  options.tolerance *= tuned::kShareOfStream;
   if (stopwatch_.limited()) options.time_limit = std::max(stopwatch_.remaining(), 1e-3);
   for (Side& side : side_) take_working_set(side);
   DistanceSolver solver(options);
@@ -91,7 +88,8 @@ void StreamedDistance::aim(Side& side) const {
   side.direction = side.sign * result_.normal;
   side.level = side.set->support_function(side.direction);
   const bool is_plane = result_.status == DistanceStatus::unreachable;
-  side.slack = (is_plane ? kShareOfPlane : kShare * options_.tolerance) * std::fabs(side.level);
+  side.slack =
+      (is_plane ? kShareOfPlane : tuned::kShareOfStream * options_.tolerance) * std::fabs(side.level);
 }
 
 // Whether the normal has changed meanwhile.
@@ -100,7 +98,7 @@ bool StreamedDistance::pass(Side& side) {
   side.h.value = -std::numeric_limits<double>::infinity();
   side.streamed->stream().pass([&](const StreamedPoints& part) {
     for (;;) {
-      const double reach = kReach * std::fabs(side.level);
+      const double reach = tuned::kReachOfStream * std::fabs(side.level);
       const double value = side.streamed->look(part, side.direction.data(), side.level, reach);
       points_priced_ += part.count;
       side.h.value = std::max(side.h.value, value);

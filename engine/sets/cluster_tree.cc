@@ -10,13 +10,13 @@
 #include "engine/numerics/decompositions.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/splitmix64.h"
+#include "engine/sets/tuning.h"
 #include "raygauge/sets/point_set.h"
 
 namespace raygauge {
 namespace {
 
 constexpr std::ptrdiff_t kLanes = PointSet::kLanes;
-constexpr std::ptrdiff_t kLeafBlocks = 8;
 constexpr Eigen::Index kSample = 4096;  // points that the map is made from
 constexpr double kFlattest = 1e-12;     // axes of F, of the longest
 constexpr double kLargestMagnitude = 0x1p200, kSmallestMagnitude = 0x1p-200;
@@ -24,7 +24,6 @@ constexpr double kLeastSquare = 0x1p-800, kMostSquare = 0x1p800;  // of |w|
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 constexpr int kTrials = 16;
-constexpr double kWorthwhile = 0.1;  // share of the points compared from which on a pass is as fast
 
 // The axes of the points about their centre, by a QR factorisation (which does not square) and the singular
 // values of its triangle.
@@ -83,7 +82,7 @@ class ClusterTree::Builder {
 
   // Up to `parts` children of `node`.
   void divide(std::int32_t node, std::ptrdiff_t first, std::ptrdiff_t blocks, int parts) {
-    if (parts == 1 || blocks <= kLeafBlocks) return add_child(node, first, blocks);
+    if (parts == 1 || blocks <= tuned::kBlocksOfLeaf) return add_child(node, first, blocks);
     const std::ptrdiff_t half = blocks / 2;
     const auto axis = longest_axis(first, blocks);
     std::nth_element(at(first), at(first + half), at(first + blocks),
@@ -106,7 +105,7 @@ class ClusterTree::Builder {
   }
 
   void add_child(std::int32_t node, std::ptrdiff_t first, std::ptrdiff_t blocks) {
-    const bool is_leaf = blocks <= kLeafBlocks;
+    const bool is_leaf = blocks <= tuned::kBlocksOfLeaf;
     const auto child = static_cast<std::size_t>(tree_.nodes_[static_cast<std::size_t>(node)].count++);
     bound(node, child, first, blocks);
     const std::int32_t target = is_leaf ? static_cast<std::int32_t>(first) : this->node(first, blocks);
@@ -142,7 +141,7 @@ class ClusterTree::Builder {
 
 ClusterTree::ClusterTree(const Points& points, Order& order) : n_(static_cast<int>(points.rows())) {
   const double largest = points.cwiseAbs().maxCoeff();
-  if (n_ < 2 || n_ > kMostDimensions || points.size() < kFewestNumbers) return;
+  if (n_ < 2 || n_ > kMostDimensions || points.size() < tuned::kFewestNumbersOfTree) return;
   if (!(largest < kLargestMagnitude && largest > kSmallestMagnitude)) return;
   block_count_ = (points.cols() + kLanes - 1) / kLanes;
   center_ = (points / static_cast<double>(points.cols())).rowwise().sum();
@@ -265,7 +264,10 @@ bool ClusterTree::pays(const double* blocks) const {
     const Vector u = inverse_.transpose() * w;
     compared += highest(best_kernels(), blocks, u.data()).compared;
   }
-  return static_cast<double>(compared) <= kWorthwhile * kTrials * static_cast<double>(block_count_ * kLanes);
+  const std::ptrdiff_t points = block_count_ * kLanes;
+  const bool beyond_cache = points * n_ >= tuned::kNumbersBeyondCache;
+  const double share = beyond_cache ? tuned::kTreePaysBeyondCache : tuned::kTreePays;
+  return static_cast<double>(compared) <= share * kTrials * static_cast<double>(points);
 }
 
 std::ptrdiff_t ClusterTree::memory() const noexcept {

@@ -31,7 +31,6 @@ class ClusterTree {
 
   /// Points in more dimensions, and fewer numbers N n, have no tree: a pass is as fast.
   static constexpr int kMostDimensions = 32;
-  static constexpr std::ptrdiff_t kFewestNumbers = 16384;
 
   using Order = std::vector<std::ptrdiff_t>;
 

@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "engine/numerics/decompositions.h"
+#include "engine/sets/tuning.h"
 
 namespace raygauge {
 namespace {
 
-constexpr int kLeastCells = 4, kMostCells = 32;  // along an edge of the cube, powers of two
-constexpr std::int32_t kFew = 2;                 // points of a list that is not worth dividing
-constexpr std::size_t kLongest = 24;             // beyond, a pass over all points is as fast
+constexpr int kLeastCells = 4;
 constexpr double kMargin = 1e-14;  // of the size of the set: more than the rounding errors of two heights
 constexpr double kRim = 1e-9;      // cells are wider by this than v's cell is known to rounding
 
@@ -25,7 +24,7 @@ using Points = std::vector<std::int32_t>;
 int cells_for(std::ptrdiff_t count) {
   const double wanted = std::sqrt(static_cast<double>(count));
   int cells = kLeastCells;
-  while (cells < wanted && cells < kMostCells) cells *= 2;
+  while (cells < wanted && cells < tuned::kMostCells) cells *= 2;
   return cells;
 }
 
@@ -106,14 +105,14 @@ class DirectionTable::Builder {
   void divide(const Points& around, int face, int i, int j, int size) {
     const Points points = candidates(around, face, i, j, size);
     const auto count = static_cast<std::int32_t>(points.size());
-    if (size > 1 && count > kFew) {
+    if (size > 1 && count > tuned::kShortList) {
       const int half = size / 2;
       for (const int di : {0, half}) {
         for (const int dj : {0, half}) divide(points, face, i + di, j + dj, half);
       }
       return;
     }
-    if (points.size() > kLongest) return;
+    if (points.size() > tuned::kLongestList) return;
     const List list{static_cast<std::int32_t>(table_.candidates_.size()), count};
     table_.candidates_.insert(table_.candidates_.end(), points.begin(), points.end());
     const std::ptrdiff_t cells = table_.cells_;

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "engine/numerics/decompositions.h"
+#include "engine/sets/tuning.h"
 
 namespace raygauge {
 namespace {
 
 constexpr Eigen::Index kMostPoints = 4096;
-constexpr double kRound = 4;        // ratio of axes below which a map is not worth its arithmetic
 constexpr double kFlattest = 1e-6;  // Σ squares the ratio
 
 }  // namespace
@@ -30,7 +30,7 @@ std::optional<IsotropicMap> isotropic_map(const Eigen::Ref<const Eigen::MatrixXd
   const Eigen::MatrixXd& F = *factor;
   const double longest = F.diagonal().maxCoeff();
   const double shortest = F.diagonal().minCoeff();
-  if (!(longest > kRound * shortest && shortest > kFlattest * longest)) return {};
+  if (!(longest > tuned::kRoundEnough * shortest && shortest > kFlattest * longest)) return {};
   IsotropicMap map{F * magnitude, Eigen::MatrixXd::Identity(n, n) / magnitude};
   F.triangularView<Eigen::Lower>().solveInPlace(map.inverse);
   return map;

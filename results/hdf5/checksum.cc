@@ -11,8 +11,8 @@
 #include <fstream>
 #include <vector>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge::hdf5 {
 namespace {

@@ -15,11 +15,11 @@
 #include <string_view>
 #include <system_error>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/global_heap.h"
 #include "results/hdf5/trial.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge::hdf5 {
 namespace {

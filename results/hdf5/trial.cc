@@ -12,8 +12,8 @@
 #include <cmath>
 #include <csignal>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge::hdf5 {
 namespace {

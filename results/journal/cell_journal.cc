@@ -16,9 +16,9 @@
 #include <string_view>
 #include <utility>
 
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
 #include "results/journal/csv.h"
-#include "results/run/run_directory.h"
 #include "results/schema/schema.h"
 
 namespace raygauge {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "raygauge/sweep/record.h"
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 
 namespace raygauge {
 

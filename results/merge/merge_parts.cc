@@ -9,11 +9,11 @@
 #include <tuple>
 #include <utility>
 
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
 #include "results/merge/row_file.h"
+#include "results/run/encoding.h"
 #include "results/run/identity.h"
-#include "results/run/run_directory.h"
-#include "results/schema/encoding.h"
 #include "results/schema/schema.h"
 
 namespace raygauge {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "results/merge/for_all.h"
+#include "results/hdf5/for_all.h"
 
 namespace raygauge {
 namespace {

@@ -9,13 +9,13 @@
 #include <cstring>
 #include <string>
 
+#include "results/disk/atomic_file.h"
 #include "results/hdf5/checksum.h"
+#include "results/hdf5/for_all.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/merge/column_writer.h"
-#include "results/merge/for_all.h"
-#include "results/run/atomic_file.h"
+#include "results/run/encoding.h"
 #include "results/schema/column_io.h"
-#include "results/schema/encoding.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

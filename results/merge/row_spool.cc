@@ -7,8 +7,8 @@
 
 #include <cerrno>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge {
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <system_error>
 
+#include "results/disk/run_directory.h"
 #include "results/hdf5/hdf5_library.h"
-#include "results/run/run_directory.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "results/run/run_directory.h"
+#include "results/disk/run_directory.h"
 
 namespace raygauge {
 

@@ -7,14 +7,14 @@
 #include <numeric>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/journal/cell_journal.h"
-#include "results/run/atomic_file.h"
+#include "results/run/encoding.h"
 #include "results/run/output_place.h"
-#include "results/run/run_directory.h"
 #include "results/run/stored_cells.h"
-#include "results/schema/encoding.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

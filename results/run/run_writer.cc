@@ -10,9 +10,9 @@
 #include "results/exceptions.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/journal/csv.h"
+#include "results/run/encoding.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
-#include "results/schema/encoding.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

@@ -14,10 +14,10 @@
 #include "raygauge/sweep.h"
 #include "raygauge/sweep/experiment.h"
 #include "raygauge/sweep/record.h"
+#include "results/disk/run_directory.h"
 #include "results/journal/cell_journal.h"
 #include "results/provenance/provenance.h"
 #include "results/run/results_file.h"
-#include "results/run/run_directory.h"
 #include "results/run/stored_cells.h"
 #include "results/run/stored_records.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "results/run/run_directory.h"
+#include "results/disk/run_directory.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

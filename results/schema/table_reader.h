@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "results/exceptions.h"
-#include "results/merge/for_all.h"
+#include "results/hdf5/for_all.h"
 #include "results/schema/column.h"
 #include "results/schema/column_io.h"
 #include "results/schema/stored_column.h"

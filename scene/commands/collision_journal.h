@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "results/run/atomic_file.h"
-#include "results/run/file_lock.h"
+#include "results/disk/atomic_file.h"
+#include "results/disk/file_lock.h"
 #include "scene/planning/collision_matrix.h"
 
 namespace raygauge::cli {

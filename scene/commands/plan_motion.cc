@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 
 namespace raygauge::cli {
 namespace {

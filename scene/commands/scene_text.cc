@@ -9,9 +9,9 @@
 #include <tuple>
 #include <vector>
 
-#include "cli/output/counted.h"
 #include "cli/output/terminal.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 #include "scene/file/events.h"
 
 namespace raygauge::cli {

@@ -9,11 +9,11 @@
 #include <set>
 
 #include "engine/numerics/number_text.h"
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
 #include "results/journal/csv.h"
-#include "results/run/run_directory.h"
 #include "results/schema/column_io.h"
 #include "results/schema/session_tables.h"
 #include "results/schema/table_reader.h"

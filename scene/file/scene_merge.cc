@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 #include "results/run/identity.h"
-#include "results/run/run_directory.h"
 #include "scene/file/scene_writer.h"
 
 namespace raygauge {

@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 #include "results/run/identity.h"
 #include "results/run/output_place.h"
-#include "results/run/run_directory.h"
 #include "scene/file/simulation_store.h"
 
 namespace raygauge {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "results/disk/run_directory.h"
 #include "results/merge/merge_parts.h"
-#include "results/run/run_directory.h"
 #include "results/run/run_writer.h"
 #include "scene/file/scene_batch.h"
 #include "scene/file/scene_file.h"

@@ -6,12 +6,12 @@
 #include <string_view>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
+#include "results/disk/run_directory.h"
 #include "results/exceptions.h"
 #include "results/hdf5/checksum.h"
 #include "results/hdf5/hdf5_library.h"
-#include "results/run/atomic_file.h"
 #include "results/run/identity.h"
-#include "results/run/run_directory.h"
 #include "results/schema/column_io.h"
 #include "results/schema/table_reader.h"
 #include "scene/file/number_archive.h"

@@ -5,8 +5,8 @@
 #include <set>
 #include <string_view>
 
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 #include "scene/input/mjcf_text.h"
 #include "scene/input/robot_builder.h"
 #include "scene/input/robot_shapes.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "cli/input/input_file.h"
-#include "cli/output/counted.h"
 #include "raygauge/exceptions.h"
+#include "results/text/words.h"
 #include "scene/input/robot_formats.h"
 
 namespace raygauge::cli {

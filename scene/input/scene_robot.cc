@@ -10,8 +10,8 @@
 #include "cli/input/mesh_object_file.h"
 #include "cli/input/toml_refusal.h"
 #include "cli/input/toml_values.h"
-#include "cli/output/counted.h"
 #include "raygauge/scene/scene_run.h"
+#include "results/text/words.h"
 #include "scene/input/motion_file.h"
 #include "scene/input/scene_motion.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "analysis/constants.h"
-#include "analysis/render/figures/figure.h"
+#include "analysis/studies/figures.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_figures {

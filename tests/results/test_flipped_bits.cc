@@ -10,8 +10,8 @@
 #include <string>
 
 #include "results/hdf5/checksum.h"
+#include "results/run/encoding.h"
 #include "results/run/results_file.h"
-#include "results/schema/encoding.h"
 #include "scene/file/scene_file.h"
 #include "tests/results/support.h"
 

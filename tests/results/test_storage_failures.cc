@@ -10,9 +10,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
 #include "results/journal/csv.h"
-#include "results/run/atomic_file.h"
 #include "results/run/results_file.h"
 #include "results/run/run_writer.h"
 #include "tests/results/support.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/studies/table3/cell_ratio.h"
+#include "analysis/data/cell_ratio.h"
 
 namespace raygauge {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "analysis/constants.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 #include "results/text/language.h"
 

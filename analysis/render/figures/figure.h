@@ -53,12 +53,6 @@ struct Figure {
   std::function<Drawing(const std::vector<Record>&, const FigureOptions&)> make;
 };
 
-/// Every figure: a new one is one file and one line in figure.cc.
-const std::vector<Figure>& figures();
-
-/// Throws UnknownNameError, which lists the known ones.
-const Figure& figure_named(const std::string& name);
-
 /// The picture as the bytes of a file, one for each page. An SVG bears the figure's name and description, a
 /// PNG its pixels an inch. Throws FigureNeedsError and GnuplotError.
 std::vector<std::string> draw(const Figure& figure, const std::vector<Record>& records,

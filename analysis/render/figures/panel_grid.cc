@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "results/text/language.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "analysis/data/parameter_columns.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/words.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

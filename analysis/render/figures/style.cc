@@ -7,10 +7,10 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/pool.h"
 #include "analysis/render/figures/figure.h"
 #include "analysis/render/method_look.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 
 namespace raygauge::figure_style {

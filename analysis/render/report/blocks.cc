@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "analysis/render/number_text.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 

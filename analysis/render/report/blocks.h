@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/table.h"
-#include "analysis/studies/table3/cell_ratio.h"
 
 namespace raygauge::report {
 

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "analysis/constants.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/parameter_columns.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 #include "raygauge/exceptions.h"
 

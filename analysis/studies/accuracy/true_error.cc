@@ -10,11 +10,11 @@
 #include <string>
 #include <utility>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/pool.h"
 #include "analysis/data/truth.h"
 #include "analysis/render/figures/curve_panel.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 
 namespace raygauge {

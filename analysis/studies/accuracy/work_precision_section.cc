@@ -5,11 +5,11 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/truth.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/accuracy/accuracy.h"
 #include "analysis/studies/accuracy/tolerance_groups.h"
 #include "analysis/studies/sections.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "analysis/data/columns.h"
-#include "analysis/render/words.h"
 #include "results/run/identity.h"
 #include "results/schema/schema.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

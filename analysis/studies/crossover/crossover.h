@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/instances.h"
 #include "analysis/statistics/statistics.h"
-#include "analysis/studies/table3/cell_ratio.h"
 
 namespace raygauge {
 

@@ -8,9 +8,9 @@
 #include "analysis/render/figures/cell_map.h"
 #include "analysis/render/figures/problem_pages.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/crossover/crossover.h"
 #include "results/text/language.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "analysis/constants.h"
-#include "analysis/studies/table3/cell_ratio.h"
+#include "analysis/data/cell_ratio.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "analysis/constants.h"
-#include "analysis/render/number_text.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/studies/example1/example1_table.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "analysis/studies/table3/paper.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "analysis/constants.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/statistics/statistics.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

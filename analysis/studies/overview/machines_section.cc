@@ -4,11 +4,11 @@
 #include <map>
 #include <set>
 
-#include "analysis/render/number_text.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/sections.h"
-#include "analysis/studies/table3/cell_ratio.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

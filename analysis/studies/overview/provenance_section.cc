@@ -1,12 +1,12 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
 #include "analysis/data/columns.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/studies/compare/compare_circumstances.h"
 #include "analysis/studies/sections.h"
 #include "results/schema/schema.h"
 #include "results/schema/session_tables.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

@@ -8,13 +8,13 @@
 #include "analysis/data/columns.h"
 #include "analysis/data/outliers.h"
 #include "analysis/render/method_look.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
-#include "analysis/render/words.h"
 #include "analysis/studies/overview/fastest_picture.h"
 #include "analysis/studies/sections.h"
 #include "analysis/studies/stability/stability.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge::report {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/figures/panel_grid.h"
 #include "analysis/render/figures/style.h"
 #include "analysis/studies/performance_profile/performance_profile.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 
 namespace raygauge {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/aggregate.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/filter.h"
-#include "analysis/statistics/aggregate.h"
 #include "analysis/statistics/statistics.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/sweep/record.h"
 #include "results/schema/column.h"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "analysis/data/columns.h"
-#include "analysis/render/number_text.h"
-#include "analysis/render/words.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

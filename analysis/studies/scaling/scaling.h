@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/time_unit.h"
 #include "analysis/statistics/power_law.h"
-#include "analysis/studies/table3/cell_ratio.h"
 
 namespace raygauge {
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/studies/scaling/scaling.h"
 #include "analysis/studies/sections.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

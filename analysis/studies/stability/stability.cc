@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "analysis/constants.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/columns.h"
 #include "analysis/statistics/statistics.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge {

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "analysis/data/truth.h"
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/studies/sections.h"
 #include "analysis/studies/stability/stability.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge::report {
 namespace {

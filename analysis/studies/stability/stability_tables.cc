@@ -4,9 +4,9 @@
 #include <cstdio>
 
 #include "analysis/constants.h"
-#include "analysis/render/number_text.h"
 #include "analysis/studies/stability/stability.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

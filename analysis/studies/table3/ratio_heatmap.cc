@@ -7,15 +7,15 @@
 #include <string>
 
 #include "analysis/constants.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/pool.h"
 #include "analysis/render/figures/cell_map.h"
 #include "analysis/render/figures/problem_pages.h"
 #include "analysis/render/figures/style.h"
-#include "analysis/render/number_text.h"
-#include "analysis/render/words.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "engine/numerics/number_text.h"
 #include "results/text/language.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

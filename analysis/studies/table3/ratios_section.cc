@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "analysis/render/number_text.h"
 #include "analysis/render/report/blocks.h"
-#include "analysis/render/words.h"
 #include "analysis/studies/sections.h"
 #include "analysis/studies/table3/table3.h"
 #include "analysis/studies/table3/table3_tables.h"
 #include "raygauge/exceptions.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge::report {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "analysis/constants.h"
 #include "analysis/data/columns.h"
-#include "analysis/render/number_text.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/table3/paper.h"
 #include "raygauge/exceptions.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/filter.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/sweep/record.h"
 
 namespace raygauge {

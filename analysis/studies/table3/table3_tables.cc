@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "analysis/constants.h"
-#include "analysis/render/number_text.h"
-#include "analysis/render/words.h"
 #include "analysis/statistics/statistics.h"
 #include "analysis/studies/table3/paper.h"
+#include "results/text/number_words.h"
+#include "results/text/words.h"
 
 namespace raygauge {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/render/number_text.h"
 #include "analysis/studies/wrong_answers/wrong_answers.h"
 #include "engine/numerics/number_text.h"
+#include "results/text/number_words.h"
 
 namespace raygauge {
 namespace {

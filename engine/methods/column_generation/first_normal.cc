@@ -5,19 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/column_generation/tuning.h"
 #include "engine/sets/isotropic_map.h"
 
 namespace raygauge {
-namespace {
-
-// Dimensions from which on it pays to look whether points of Q stand on the axes.
-constexpr int kLeastForAxes = 16;
-
-// In which the simplex chooses basis changes by a tableau.
-constexpr int kFewDimensions = 10;
-
-}  // namespace
-
 void FirstNormal::guess(WorkingSets& sets) {
   const int n = sets.n();
   double* guess = sets.direction();
@@ -29,7 +20,7 @@ void FirstNormal::guess(WorkingSets& sets) {
   for (int k = 0; k < n; ++k) largest = std::max(largest, std::fabs(guess[k]));
   for (int k = 0; k < n && largest > 0; ++k) guess[k] /= largest;
   if (!(largest > 0)) guess[0] = 1.0;
-  looked_ = n >= kLeastForAxes && !framed_;
+  looked_ = n >= tuned::kLeastForAxes && !framed_;
   if (looked_) axes_.find(sets.Q().pool.view(), n);
 }
 
@@ -40,12 +31,12 @@ void FirstNormal::start(WorkingSets& sets, PrimalSimplex& program) const {
       {sets.direction(), error(sets), framed_ ? &frame : nullptr, looked_ && axes_.any() ? &axes_ : nullptr});
 }
 
-// Of the first normal, relative. Where all points are priced from the start, bounds too narrow, which have to
-// be raised, cost more than bounds too wide; a normal of a sample had better stay near the guess.
+// Of the first normal, relative.
 double FirstNormal::error(const WorkingSets& sets) {
   const double spacing = std::max(sets.A().set->spacing(), sets.Q().set->spacing());
-  if (!sets.is_complete()) return 0.02 + 0.8 * spacing;
-  return (sets.n() <= kFewDimensions ? 0.15 : 0.05) + spacing;
+  if (!sets.is_complete()) return tuned::kNormalErrorOfSample + tuned::kSpacingsOfSample * spacing;
+  const bool few = sets.n() <= tuned::kDimensionsOfTableau;
+  return (few ? tuned::kNormalErrorOfFew : tuned::kNormalErrorOfMany) + spacing;
 }
 
 // The isotropic map of Q, scaled as Q is. False where none is needed.

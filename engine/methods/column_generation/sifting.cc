@@ -9,35 +9,21 @@
 
 #include "engine/lp/affords.h"
 #include "engine/methods/column_generation/simplex_status.h"
+#include "engine/methods/column_generation/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {
 
-// Coordinates of both sets up to which a pass costs less than the pivots it may spare.
-constexpr std::ptrdiff_t kCheapNumbers = std::ptrdiff_t{1} << 17;
-
-// Dimensions from which on a simplex may stall for longer than the interior-point method takes.
-constexpr int kLeastToStall = 16;
-
 // An objective that small, in units where both sets have magnitude 1, is zero or close to it: it is worth a
 // look at the points of A.
 constexpr double kNearlyZero = 1e-6;
 
-// Dimensions from which on the interior-point method finds the optimal basis, or that there is none, sooner
-// than the simplex, by the points of both sets for each dimension (AVX-512, its time over that of the
-// simplex): N = n + 2 to 3 n: 0.6 to 0.9 at n = 60, 0.5 at n = 80, 0.3 at n = 120, 0.1 from n = 200 on;
-// N = 10 n: 1.5 at n = 80, 1 at n = 100, 0.9 at n = 120; N = 100 n: 1.3 at n = 150, 1.1 at n = 200.
-constexpr int kInteriorOfFew = 70;
-constexpr int kInteriorOfSome = 130;
-constexpr int kInteriorOfMany = 200;
-constexpr std::ptrdiff_t kFewPoints = 8;
-constexpr std::ptrdiff_t kManyPoints = 60;
-
 int least_for_interior(const WorkingSets& sets) {
   const std::ptrdiff_t points = sets.A().set->size() + sets.Q().set->size();
-  if (points <= kFewPoints * sets.n()) return kInteriorOfFew;
-  return points <= kManyPoints * sets.n() ? kInteriorOfSome : kInteriorOfMany;
+  if (points <= tuned::kFewPointsPerDimension * sets.n()) return tuned::kInteriorOfFew;
+  return points <= tuned::kManyPointsPerDimension * sets.n() ? tuned::kInteriorOfSome
+                                                             : tuned::kInteriorOfMany;
 }
 
 }  // namespace
@@ -89,7 +75,7 @@ void Sifting::begin(const PointSet& A, const PointSet& Q, const DistanceOptions&
   plane_.forget();
   program_.basis().share_with(sets_.helpers());
   program_.begin(sets_.n(), 0.25 * options.tolerance, options.max_iterations, sets_.kernels(),
-                 sets_.n() >= kLeastToStall);
+                 sets_.n() >= tuned::kLeastToStall);
 }
 
 // Where the interior-point method may prove the answer, no basis is made before it has tried.
@@ -167,7 +153,7 @@ double Sifting::prove_upper(const SiftingSolve& solve, bool concluded) {
   if (!affords_inverse(solve.stopwatch, sets_.n() + 1, sets_.kernels())) return kInfinity;
   double upper = program_.proven_upper();
   if (upper < kInfinity || !concluded) return upper;
-  if (sets_.n() >= kLeastToStall) upper = face_.upper(solve);
+  if (sets_.n() >= tuned::kLeastToStall) upper = face_.upper(solve);
   by_face_ = upper < kInfinity;
   return by_face_ ? upper : refined_.upper_despite_residual(solve);
 }
@@ -221,7 +207,7 @@ bool Sifting::certify_as_priced(const SiftingSolve& solve) {
 // Where the objective is zero but for rounding, whatever the simplex is at: it may need many basis changes
 // more, without a gain, until no artificial column is left.
 bool Sifting::certify_zero(const SiftingSolve& solve) {
-  if (sets_.n() < kLeastToStall || !(program_.objective() < kNearlyZero) ||
+  if (sets_.n() < tuned::kLeastToStall || !(program_.objective() < kNearlyZero) ||
       program_.pivots() == pivots_at_zero_)
     return false;
   pivots_at_zero_ = program_.pivots();
@@ -247,14 +233,15 @@ bool Sifting::certify_refined(const SiftingSolve& solve, End end) {
 // sooner. Where most bounds are active or a pass has been spent on it, it is not, and raising them over the
 // sample costs next to nothing.
 bool Sifting::bounds_mislead() noexcept {
-  const bool passes_are_cheap = sets_.n() * (sets_.A().set->size() + sets_.Q().set->size()) < kCheapNumbers;
+  const bool passes_are_cheap =
+      sets_.n() * (sets_.A().set->size() + sets_.Q().set->size()) < tuned::kCheapNumbers;
   return !passes_are_cheap &&
          (sets_.counters().support_queries > 0 || 5 * program_.loop().artificials > 3 * sets_.n());
 }
 
 bool Sifting::interior_may_help(End end) const noexcept {
   if (end != End::stalled && end != End::failed) return false;
-  return interior_.state() == InteriorProof::State::untried && sets_.n() >= kLeastToStall &&
+  return interior_.state() == InteriorProof::State::untried && sets_.n() >= tuned::kLeastToStall &&
          sets_.is_complete() && !sets_.is_restricted();
 }
 
@@ -282,7 +269,8 @@ void Sifting::finish_short_of_tolerance(const SiftingSolve& solve, End end, doub
   late = late || solve.stopwatch.expired();
   if (!restricted) lower = std::max(lower, interior_.bound(solve, lower));
   CommonRay& ray = interior_.ray();
-  if (sets_.n() >= kLeastToStall && !(upper < kInfinity)) ray.find(sets_.A().pool, sets_.Q().pool, sets_.n());
+  const bool may_stall = sets_.n() >= tuned::kLeastToStall;
+  if (may_stall && !(upper < kInfinity)) ray.find(sets_.A().pool, sets_.Q().pool, sets_.n());
   if (!(std::min(upper, ray.upper()) < kInfinity) && certify_by_last_look(solve)) return;
   const DistanceStatus status = late ? DistanceStatus::time_limit : status_of(end);
   if (ray.upper() < upper) return interior_.write_ray(solve, status, lower);
@@ -292,7 +280,8 @@ void Sifting::finish_short_of_tolerance(const SiftingSolve& solve, End end, doub
 // Where a limit on basis changes ends a solve that knows no upper bound: some steps of the interior-point
 // method, none of which is a basis change.
 bool Sifting::certify_by_last_look(const SiftingSolve& solve) {
-  const bool untried = interior_.state() == InteriorProof::State::untried && sets_.n() >= kLeastToStall;
+  const bool untried =
+      interior_.state() == InteriorProof::State::untried && sets_.n() >= tuned::kLeastToStall;
   if (!untried || !sets_.is_complete() || sets_.is_restricted()) return false;
   const std::vector<double> guess(program_.normal(), program_.normal() + sets_.n());
   interior_.run(solve, guess.data());

@@ -7,19 +7,13 @@
 #include <limits>
 
 #include "engine/lp/scaling.h"
+#include "engine/methods/column_generation/tuning.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/sets/capability_queries.h"
 #include "engine/sets/highest_points.h"
 #include "engine/sets/object_pair.h"
 
 namespace raygauge {
-namespace {
-
-// Below, a pass over the working set takes little longer than one over a shortlist.
-constexpr int kShortlistDimension = 16;
-
-}  // namespace
-
 void SupportOracle::bind(const ConvexSet& S, const double* factor, const Kernels& kernels,
                          SupportPairs* pairs) {
   set_ = &S;
@@ -78,7 +72,7 @@ double SupportOracle::query(const double* u, double sign, double* point) {
 }
 
 bool SupportOracle::keeps_shortlist() const noexcept {
-  return points_ != nullptr && points_->dimension() >= kShortlistDimension;
+  return points_ != nullptr && points_->dimension() >= tuned::kShortlistDimension;
 }
 
 void SupportOracle::pass(const double* u, double sign) {

@@ -6,15 +6,11 @@
 #include <limits>
 
 #include "engine/lp/shared_pass.h"
+#include "engine/methods/column_generation/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
 namespace {
-
-// The points just below the threshold are the next to be violated when the normal turns. Those within this
-// fraction of the last pass's violation are taken along: every third solve at n >= 20 is spared a pass by it,
-// and the working set hardly grows (measured over 0 … 1).
-constexpr double kReach = 0.2;
 
 // Basic points lie on the threshold, and rounding may put any point of the working set above it. Whether a
 // new one is above.
@@ -147,7 +143,7 @@ void WorkingSets::price_side(Side& side, const double* direction, double thresho
     violators.points.threshold = threshold - violators.reach;
     const double value = shared_pass(*kernels_, S, direction, violators.points, threads_, team_);
     violators.any = drop_known(side.pool, S.size(), threshold, violators.points);
-    violators.reach = violators.any ? kReach * (value - threshold) : 0;
+    violators.reach = violators.any ? tuned::kReachOfViolators * (value - threshold) : 0;
     side.h = {value, dot_error(S, direction)};
     if (well_resolved(value, side.h.error, resolution)) return;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/nearest_point/tuning.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/object_pair.h"
@@ -14,10 +15,6 @@
 namespace raygauge {
 namespace {
 
-// A point of the shortlist that gains less than this share of what the best one of its pass did waits for the
-// next pass.
-constexpr double kWorthEntering = 0.3;
-constexpr int kMostOfOnePass = 16;
 // Entries in a row that bring v no nearer: rounding has the say.
 constexpr int kPatience = 16;
 // Squares of larger or smaller coordinates leave the range of doubles.
@@ -207,9 +204,9 @@ bool NearestPoint::enter(int t) {
 // What the last pass found worth entering enters. False where nothing could.
 bool NearestPoint::enter_shortlisted() {
   int t = most_violated();
-  const double worth = kWorthEntering * side_[t].violation();
+  const double worth = tuned::kPointWorthEntering * side_[t].violation();
   if (!enter(t) && (sides_ == 1 || !(side_[1 - t].violation() > noise()) || !enter(1 - t))) return false;
-  for (int entered = 1; entered < kMostOfOnePass; ++entered) {
+  for (int entered = 1; entered < tuned::kPointsOfOnePass; ++entered) {
     price(false);
     t = most_violated();
     if (side_[t].points == nullptr || !(side_[t].violation() > std::max(worth, noise())) || !enter(t)) break;

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "engine/lp/affords.h"
+#include "engine/methods/newton/tuning.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/capability_queries.h"
@@ -15,10 +16,8 @@
 namespace raygauge {
 namespace {
 
-constexpr double kShift = 4;          // δR in rounding errors of a combination
-constexpr double kLongestStep = 1.0;  // tangent of the angle that one step may turn u by
-constexpr int kShortenings = 10;      // of one step, each to kShorter of it
-constexpr double kShorter = 0.4;
+constexpr double kShift = 4;      // δR in rounding errors of a combination
+constexpr int kShortenings = 10;  // of one step, of which see tuning.h
 constexpr int kGrowthEvaluations = 24;
 
 // Whether it is worth going on: far from the end the ratio rises while the residual may even grow, close to
@@ -249,7 +248,7 @@ bool Newton<Real>::advance(const Real* step, const Stopwatch& stopwatch) {
     return true;
   }
   const Real length = elementary::sqrt(dot(step, step, n_));
-  Real share = length > kLongestStep ? kLongestStep / length : Real{1};
+  Real share = length > tuned::kLongestNewtonStep ? tuned::kLongestNewtonStep / length : Real{1};
   bool flat = unconditional_ && pair_.has_flats();
   for (int trial = 0; trial < kShortenings; ++trial) {
     move(step, share, flat);
@@ -259,7 +258,7 @@ bool Newton<Real>::advance(const Real* step, const Stopwatch& stopwatch) {
       return true;
     }
     if (evaluations_ >= max_evaluations_ || stopwatch.expired()) return false;
-    if (!flat) share *= kShorter;
+    if (!flat) share *= tuned::kShorterNewtonStep;
     flat = false;
   }
   return false;

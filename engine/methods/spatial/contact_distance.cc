@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/methods/spatial/active_pieces.h"
+#include "engine/methods/spatial/tuning.h"
 #include "engine/numerics/fused.h"
 
 namespace raygauge {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr int kMostSteps = 16;
 constexpr double kConverged = 1e-15;  // radians that the step after the next would go
-constexpr double kLongestStep = 0.5, kShorter = 0.3, kLonger = 2;
 constexpr double kLongEnough = 0.1;   // a step after which other rims may count
 constexpr double kNoise = 8;          // a rise of so many error() is rounding
 constexpr double kShortStep = 1e-3;   // a step that rises although it is shorter is made of rounding errors
@@ -46,7 +46,7 @@ class ContactDescent {
   Vector3 u_;
   ActivePieces<SpatialPair> pieces_;
   double last_step_ = 1;
-  double longest_step_ = kLongestStep;
+  double longest_step_ = tuned::kLongestContactStep;
   double lowest_ = 1e300;  // height met, at lowest_u_
   Vector3 lowest_u_;
   bool bounded_ = false;    // by pieces_
@@ -147,12 +147,13 @@ bool ContactDescent::look(double& height) {
     if (last_step_ < kShortStep) return false;
     u_ = lowest_u_;
     height = lowest_;
-    longest_step_ = kShorter * std::min(longest_step_, last_step_);
+    longest_step_ = tuned::kShorterContactStep * std::min(longest_step_, last_step_);
     pair_.follow(u_, w);
   } else {
     lowest_ = height;
     lowest_u_ = u_;
-    if (last_step_ > longest_step_) longest_step_ = std::min(kLonger * longest_step_, kLongestStep);
+    const double longer = tuned::kLongerContactStep * longest_step_, longest = tuned::kLongestContactStep;
+    if (last_step_ > longest_step_) longest_step_ = std::min(longer, longest);
   }
   pieces_.follow(pair_, u_, &w);
   if (last_step_ > kLongEnough) add_other_rims(w);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/methods/spatial/gjk.h"
+#include "engine/methods/spatial/tuning.h"
 
 namespace raygauge {
 namespace {
@@ -152,7 +153,6 @@ bool RayToCores::run(const SpatialStart& start) {
 }  // namespace
 
 bool newton_growth(GrowthBounds& growth, Vector3 u, bool fine_normal) {
-  constexpr double kLongestStep = 0.7;
   const SpatialPair& pair = growth.pair();
   const Vector3& p = growth.p();
   u = u * (1 / length(u));
@@ -171,7 +171,7 @@ bool newton_growth(GrowthBounds& growth, Vector3 u, bool fine_normal) {
     Vector3 step;
     if (!solve(H, p * (1 / ratio) - w.s, step)) return false;
     step = step - u * dot(u, step);
-    const double long_by = length(step) / kLongestStep;
+    const double long_by = length(step) / tuned::kLongestGrowthStep;
     if (long_by > 1) step = step * (1 / long_by);
     double share = 1, higher = 0;
     Vector3 next;

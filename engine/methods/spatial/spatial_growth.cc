@@ -9,6 +9,7 @@
 #include "engine/methods/spatial/nearest_on_simplex.h"
 #include "engine/methods/spatial/portal.h"
 #include "engine/methods/spatial/round_growth.h"
+#include "engine/methods/spatial/tuning.h"
 
 namespace raygauge {
 namespace {
@@ -16,8 +17,7 @@ namespace {
 constexpr int kMostExchanges = 80;
 constexpr int kMostIdleExchanges = 3;
 constexpr int kMostDiscoveries = 40;
-constexpr double kFirstTilt = 1.7,
-                 kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
+constexpr double kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
 constexpr double kLeastTilt = 0.03;   // radians
 constexpr double kThin = 1e-3;        // height over extent of a plate
 constexpr double kCrossed = 0.1;      // sine of the angle between the bodies' long axes
@@ -158,9 +158,9 @@ bool Growth::discover(Vector3 u) {
   if (!(h > 0) || !(dot(u, p_) > 0)) return false;
   if (is_first_on_ray(u, h)) return false;
   int known = 1;
-  double tilt = kFirstTilt;
+  double tilt = tuned::kFirstTilt;
   for (int i = 0; i < kMostDiscoveries; ++i) {
-    if (may_be_plate(i) && begin_on_plate(u, h)) known = 1, tilt = kFirstTilt;
+    if (may_be_plate(i) && begin_on_plate(u, h)) known = 1, tilt = tuned::kFirstTilt;
     const Vector3 way = is_plate_ ? tilt_to_ray(known, u, h) : way_to_ray(known, u, h);
     Vector3 next = tilt > kLargestTilt ? way : u + way * (is_plate_ ? tilt : tilt / h);
     next = next * (1 / length(next));
@@ -176,7 +176,7 @@ bool Growth::discover(Vector3 u) {
       u = next;
       h = height;
     }
-    tilt = kFirstTilt;
+    tilt = tuned::kFirstTilt;
     if (adopt(w, known)) return true;
     known = 2;
   }

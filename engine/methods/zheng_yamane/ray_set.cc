@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/methods/zheng_yamane/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -11,9 +12,6 @@ namespace {
 
 constexpr int kIterationsBetweenLooks = 64;  // at the clock, where they are over few points
 constexpr std::ptrdiff_t kFewNumbers = 1 << 16;
-constexpr int kShortlistQueries = 8;  // after a pass
-// Of the pass's own reduced cost: a column of a shortlist that promises less waits for a better one.
-constexpr double kWorthEntering = 0.4;
 
 }  // namespace
 
@@ -36,12 +34,12 @@ double RaySet::best_candidate(const double* u, double enough) {
   if (!keeps_shortlists_) return query(u);
   if (shortlisted_-- > 0) {
     const double value = query_shortlists(u);
-    if (value > enough + kWorthEntering * shortlist_excess_) return value;
+    if (value > enough + tuned::kRayWorthEntering * shortlist_excess_) return value;
   }
   A_->pass(u, 1.0);
   Q_->pass(u, -1.0);
   ++passes_;
-  shortlisted_ = kShortlistQueries;
+  shortlisted_ = tuned::kShortlistQueries;
   const double value = query_shortlists(u);
   shortlist_excess_ = value - enough;
   return value > enough ? value : query(u);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/methods/zheng_yamane/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -14,11 +15,6 @@ namespace {
 constexpr double kZero = 1e-13;      // weight of artificial columns that is rounding noise
 constexpr double kFeasible = 1e-11;  // how negative a weight may be after the vertices were moved
 constexpr int kRayCostRaises = 14;
-// How far the first normals may be from -a_c, in parts of its largest entry: what takes the fewest iterations
-// on the grid of the paper, and at n = 20 to 100.
-constexpr int kFewDimensions = 16;
-constexpr double kMarginOfFew = 0.14;
-constexpr double kMarginOfMany = 0.5;
 constexpr int kRayRepairs = 2;
 
 }  // namespace
@@ -45,7 +41,7 @@ void RayShooter::start_cold() {
   set_.next_candidate_at(n_);
   double* u = view.y;
   double largest = 0;
-  const double margin = n_ < kFewDimensions ? kMarginOfFew : kMarginOfMany;
+  const double margin = n_ < tuned::kManyDimensionsOfRays ? tuned::kRayMarginOfFew : tuned::kRayMarginOfMany;
   for (int k = 0; k < n_; ++k) u[k] = -set_.center()[k];
   const double h_S = set_.query(u);
   const double length = h_S > 0 ? 1.0 / h_S : 1.0;

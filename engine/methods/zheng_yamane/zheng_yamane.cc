@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/methods/zheng_yamane/tuning.h"
 #include "engine/numerics/floating_point.h"
 
 namespace raygauge {
@@ -12,17 +13,10 @@ namespace {
 
 constexpr int kAttemptsToClose = 8;  // outer iterations that pass the published test but leave a gap
 constexpr int kPatience = 3;  // outer iterations that do not raise the bound: rounding has the last word
-// A ray is left where a bound so many times its η turns up: a quarter of the iterations on the grid of the
-// paper, half of them at n = 50 to 200, where shorter rays would be left too often. Where that happens so
-// often in a row, or with such an η, no multiple of Q may reach A: a Farkas direction is to be found.
-constexpr double kOvertakingInFew = 1.3;  // of point sets
-constexpr double kOvertakingInMany = 2;
-constexpr int kManyDimensions = 16;
+// Where a ray is left for a better bound so often in a row, or with such an η, no multiple of Q may reach A:
+// a Farkas direction is to be found.
 constexpr int kMostOvertaken = 16;
-constexpr double kFarthest = 1e9;  // of sets of magnitude 1
-// The first ray, at an η far from the distance, is shot this loosely: its end would be left at the next η
-// anyway.
-constexpr double kFirstRayTolerance = 0.03;
+constexpr double kFarthest = 1e9;       // of sets of magnitude 1
 constexpr double kTightestRay = 1e-14;  // below, h_S(u) <= 1 + tolerance is noise
 
 // Rays take tens of iterations, a few hundred at n = 50. One that takes this many goes in circles for
@@ -37,8 +31,8 @@ bool ZhengYamane::solve(const Problem& problem, DistanceResult& result) {
       options_.max_iterations > 0 ? options_.max_iterations : default_iteration_limit(n_);
   for (;;) {
     is_loose_ = outer_iterations_ == 0 && options_.stop_rule == StopRule::certified_gap &&
-                inner_tolerance_ < kFirstRayTolerance;
-    const double tolerance = is_loose_ ? kFirstRayTolerance : inner_tolerance_;
+                inner_tolerance_ < tuned::kFirstRayTolerance;
+    const double tolerance = is_loose_ ? tuned::kFirstRayTolerance : inner_tolerance_;
     const RayShooter::End end = shooter_.shoot(eta_, tolerance, overtaking_bound(), limit, *stopwatch_);
     ++outer_iterations_;
     const Step step = conclude(end);
@@ -85,8 +79,8 @@ void ZhengYamane::begin(const Problem& problem) {
 // begins there, from the vertices of this one. The published stop test is about whole rays.
 double ZhengYamane::overtaking_bound() const noexcept {
   if (options_.stop_rule == StopRule::published_sigma) return kInfinity;
-  if (n_ >= kManyDimensions) return kOvertakingInMany * eta_;
-  return scaled_ ? kOvertakingInFew * eta_ : kInfinity;
+  if (n_ >= tuned::kManyDimensionsOfRays) return tuned::kOvertakingInMany * eta_;
+  return scaled_ ? tuned::kOvertakingInFew * eta_ : kInfinity;
 }
 
 ZhengYamane::Step ZhengYamane::conclude(RayShooter::End end) {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/render/figures/figure.h"
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/table.h"
+#include "analysis/studies/figures.h"
 #include "analysis/studies/pivot/pivot.h"
 #include "analysis/studies/pivot/pivot_table.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_pool {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "results/merge/merge_parts.h"
+#include "results/run/encoding.h"
 #include "results/run/results_file.h"
-#include "results/schema/encoding.h"
 #include "scene/file/scene_file.h"
 #include "tests/results/support.h"
 

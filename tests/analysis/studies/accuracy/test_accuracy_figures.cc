@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "analysis/render/figures/figure.h"
+#include "analysis/studies/figures.h"
 #include "tests/analysis/records.h"
 
 namespace raygauge::test_accuracy_figures {

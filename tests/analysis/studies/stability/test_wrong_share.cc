@@ -1,5 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
+#include "analysis/studies/figures.h"
 #include "analysis/studies/stability/wrong_share.h"
 
 #include <gtest/gtest.h>

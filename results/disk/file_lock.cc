@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/run/file_lock.h"
+#include "results/disk/file_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/run/atomic_file.h"
+#include "results/disk/atomic_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/render/report/report.h"
+#include "analysis/studies/report.h"
 
 #include <algorithm>
 #include <array>
@@ -8,16 +8,16 @@
 #include <set>
 #include <utility>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/render/method_look.h"
 #include "analysis/render/page_template.h"
 #include "analysis/render/report/blocks_json.h"
 #include "analysis/render/report/deflate.h"
 #include "analysis/render/report/page_assets.h"
-#include "analysis/render/words.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/exceptions.h"
 #include "results/provenance/provenance.h"
 #include "results/text/language.h"
+#include "results/text/words.h"
 
 namespace raygauge::report {
 namespace {

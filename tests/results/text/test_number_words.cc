@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/render/number_text.h"
+#include "results/text/number_words.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace raygauge::test_number_text {
+namespace raygauge::test_number_words {
 namespace {
 
 TEST(NumberText, PadsToItsDigits) {
@@ -28,4 +28,4 @@ TEST(NumberText, NamesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace raygauge::test_number_text
+}  // namespace raygauge::test_number_words

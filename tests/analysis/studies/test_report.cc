@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/render/report/report.h"
+#include "analysis/studies/report.h"
 
 #include <gtest/gtest.h>
 

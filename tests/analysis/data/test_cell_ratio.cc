@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/studies/table3/cell_ratio.h"
+#include "analysis/data/cell_ratio.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "results/run/file_lock.h"
+#include "results/disk/file_lock.h"
 
 namespace raygauge {
 

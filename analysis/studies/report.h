@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/data/cell_ratio.h"
 #include "analysis/data/filter.h"
 #include "analysis/data/instances.h"
 #include "analysis/data/merge.h"
@@ -16,7 +17,6 @@
 #include "analysis/data/truth.h"
 #include "analysis/render/report/blocks.h"
 #include "analysis/studies/stability/stability.h"
-#include "analysis/studies/table3/cell_ratio.h"
 #include "raygauge/sweep/record.h"
 
 namespace raygauge::report {

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/statistics/aggregate.h"
+#include "analysis/data/aggregate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "analysis/render/number_text.h"
+#include "results/text/number_words.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/merge/for_all.h"
+#include "results/hdf5/for_all.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/run/run_directory.h"
+#include "results/disk/run_directory.h"
 
 #include <gtest/gtest.h>
 

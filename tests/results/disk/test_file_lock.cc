@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/run/file_lock.h"
+#include "results/disk/file_lock.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/schema/encoding.h"
+#include "results/run/encoding.h"
 
 #include <new>
 #include <stdexcept>

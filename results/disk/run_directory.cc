@@ -1,6 +1,6 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "results/run/run_directory.h"
+#include "results/disk/run_directory.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "results/disk/atomic_file.h"
 #include "results/exceptions.h"
-#include "results/run/atomic_file.h"
 
 namespace raygauge {
 namespace fs = std::filesystem;

@@ -1,0 +1,32 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/timed_medians.h"
+#include "bench/tuned_threshold.h"
+#include "bench/tuning_workloads.h"
+
+namespace raygauge::bench {
+
+/// A threshold, and what it is measured on.
+struct TuningRow {
+  TunedThreshold threshold;
+  std::vector<double> values;  ///< beside the one that stands
+  std::string on;              ///< the workload in words
+  Workload workload;
+  Clock clock = Clock::processor;
+};
+
+/// Those of a method, or of one of its jobs.
+struct TunedMethod {
+  std::string name;
+  std::vector<TuningRow> rows;
+};
+
+/// Every threshold that stands in a tuning.h of the engine.
+std::vector<TunedMethod> tuned_methods();
+
+}  // namespace raygauge::bench
