@@ -194,14 +194,15 @@ bool newton_growth(GrowthBounds& growth, Vector3 u, bool fine_normal) {
   return false;
 }
 
-bool round_growth(GrowthBounds& growth, const SpatialStart& start) {
-  const SpatialPair& pair = growth.pair();
+bool round_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
+                  SpatialAnswer& answer) {
   if (!is_round(pair)) return false;
-  const bool balls = is_point(pair.shape(0)) && is_point(pair.shape(1));
+  GrowthBounds growth(pair, tolerance, threshold, answer);
+  const bool balls = is_point(pair.shape(0)) && is_point(pair.shape(1));  // the first normal is the last
   if (pair.has_vertices() && !balls && RayToCores(growth).run(start)) return true;
-  growth.answer().combination.count = 0;
+  answer.combination.count = 0;
   const bool steered = start.has_normal && dot(start.normal, growth.p()) > 0;
-  return newton_growth(growth, steered ? start.normal : first_direction(growth), start.fine_normal);
+  return newton_growth(growth, steered ? start.normal : first_direction(growth), balls || start.fine_normal);
 }
 
 }  // namespace raygauge

@@ -14,7 +14,8 @@ namespace raygauge {
 /// Bergen, Ray Casting against General Convex Objects, 2004). The ball of radius ρ about the point of K that
 /// x is nearest to bounds σ from above. Others: Newton steps  H δ = p/σ - s(u), δ ⊥ u,  on the condition s(u)
 /// ∥ p; there the ball that rolls inside B, where one does, touches it at s(u).
-bool round_growth(GrowthBounds& growth, const SpatialStart& start);
+bool round_growth(SpatialPair& pair, double tolerance, double threshold, const SpatialStart& start,
+                  SpatialAnswer& answer);
 
 /// Newton steps on the unit sphere from the direction u. True where the solve is done; the best direction is
 /// in the answer otherwise. `fine_normal`: as in SpatialStart.

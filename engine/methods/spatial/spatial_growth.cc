@@ -256,7 +256,7 @@ void Growth::refine(bool fine_normal) {
     farthest = std::max(farthest, meets);
     if (may_be_round && is_on_round_piece()) {
       may_be_round = false;
-      GrowthBounds round = *this;
+      GrowthBounds round = *this;  // a copy: what is known here stays in registers
       if (newton_growth(round, n, fine_normal)) return;
     }
     SpatialPoint w = support(n);
@@ -275,8 +275,7 @@ void Growth::refine(bool fine_normal) {
 void Growth::run(const SpatialStart& start) {
   if (!(dot(p_, p_) > 16 * pair_.error() * pair_.error())) return;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
-  GrowthBounds round = *this;  // a copy: what is known here stays in registers
-  if (round_growth(round, start)) return;
+  if (round_growth(pair_, tolerance_, threshold_, start, answer_)) return;
   if (!std::isnan(threshold_)) {
     const Vector3 u = steered ? start.normal : p_;
     bound_from_below(u, support(u).s);
