@@ -58,8 +58,8 @@ bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
   return true;
 }
 
-// p, or of ellipsoids and balls M⁻¹p with the form M at p: 2 h_B(u) <= uᵀMu + h_B(p) for lengths 1, equal at
-// p.
+// p, or beside an ellipsoid M⁻¹p with the form M at p: for |p| = 1 and |u| = 1, 2 h_B(u) <= uᵀMu + h_B(p)
+// where all are ellipsoids and balls, equal at p.
 Vector3 first_direction(const GrowthBounds& growth) {
   Vector3 u;
   Matrix3 M;

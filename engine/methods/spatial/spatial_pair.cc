@@ -174,11 +174,18 @@ bool SpatialPair::follow(const Vector3& u, SpatialPoint& point, const SpatialPoi
 }
 
 bool SpatialPair::smooth_form(const Vector3& u, Matrix3& M) const {
-  if (!is_curved() || !is_smooth()) return false;
-  const double size = length(u), ball = radius() / size;
+  const bool round[2] = {has_curved_surface(shape(0)), has_curved_surface(shape(1))};
+  if (!round[0] && !round[1]) return false;
+  double ball = radius();
+  for (int i = 0; i < 2; ++i) {
+    if (round[i] || is_point(shape(i))) continue;
+    if (raygauge::is_curved(shape(i)) || !(shape(i).inner_radius > shape(i).radius)) return false;
+    ball += shape(i).inner_radius - shape(i).radius;
+  }
+  ball /= length(u);
   M = {{{ball, 0, 0}, {0, ball, 0}, {0, 0, ball}}};
   for (int i = 0; i < 2; ++i) {
-    if (is_point(shape(i))) continue;
+    if (!round[i]) continue;
     const Matrix3& S = curvatures_.form(i);
     const double share = 1 / std::sqrt(dot(u, S * u));
     for (int j = 0; j < 3; ++j) M.column[j] = M.column[j] + S.column[j] * share;

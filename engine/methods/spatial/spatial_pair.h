@@ -88,8 +88,8 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// not.
   bool follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed = nullptr) const;
 
-  /// Of ellipsoids and balls, an ellipsoid among them: M with M u = s(u) about the centres, balls included,
-  /// the sum of their forms over heights at u. False of other bodies.
+  /// Of ellipsoids, balls included: M with M u = s(u) about the centres, the sum of their forms over heights
+  /// at u. A polytope counts as the ball inside it. False without an ellipsoid, and beside other cores.
   bool smooth_form(const Vector3& u, Matrix3& M) const;
 
   /// Adds `weight` times the Hessian of u·s(u) for these pieces of the cores.
