@@ -285,8 +285,9 @@ bool Ladder::Solve::body_distance(Ladder& ladder, Ask& ask) {
 
 // The growth distance may be too near 1 to tell on which side it is.
 bool Ladder::Solve::body_growth(Ladder& ladder, Ask& ask) {
-  ask.is_known = ladder.bodies_.growth(ask.second, ask.first, ask.about_origin, ladder.options_,
-                                       ask.threshold, ask.warm, ladder.answer_.distance);
+  ask.is_known =
+      ladder.bodies_.growth(ask.second, ask.first, ask.about_origin, ladder.options_, ask.threshold, ask.warm,
+                            ladder.answer_.distance, ask.pose_gradient != nullptr);
   if (!ask.is_known) ask.proven = ladder.bodies_.proven();
   return ask.is_known && (ask.question == Question::growth || ladder.conclude());
 }

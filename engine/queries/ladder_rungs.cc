@@ -232,7 +232,8 @@ void Ladder::find_growth_gradient(const Ask& ask) {
   if (growth.upper - growth.lower <= kFine * growth.upper) return;
   DistanceOptions options = options_;
   options.tolerance = kFine;
-  if (!bodies_.growth(ask.second, ask.first, ask.about_origin, options, ask.threshold, nullptr, outer_)) {
+  if (!bodies_.growth(ask.second, ask.first, ask.about_origin, options, ask.threshold, nullptr, outer_,
+                      true)) {
     const ProvenBounds& proven = bodies_.proven();
     outer_.lower = proven.bounds.lower();
     outer_.upper = outer_.distance = proven.bounds.upper();

@@ -81,12 +81,12 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
 }
 
 bool SpatialQuery::growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
-                          double threshold, WarmStart* warm, DistanceResult& result) {
+                          double threshold, WarmStart* warm, DistanceResult& result, bool fine_normal) {
   if (!bind(Q, A, options) || !place(Q, A)) {
     proven_ = {};
     return false;
   }
-  const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm);
+  const bool found = solve_.growth(about_origin, options.tolerance, threshold, warm, fine_normal);
   const SpatialAnswer& answer = solve_.answer();
   if (!found) {
     proven_ = {answer.bounds};

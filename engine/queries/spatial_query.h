@@ -32,7 +32,7 @@ class SpatialQuery {
 
   /// The growth distance of A about its centre and Q about its own, or about the origin of the world.
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,
-              double threshold, WarmStart* warm, DistanceResult& result);
+              double threshold, WarmStart* warm, DistanceResult& result, bool fine_normal = false);
 
   /// As SpatialSolve::set_enough().
   void set_enough(double gap) noexcept { solve_.set_enough(gap); }

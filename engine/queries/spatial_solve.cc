@@ -210,8 +210,10 @@ void SpatialSolve::go_on_in_ball(double tolerance, double threshold) {
     spatial_growth(pair_, tolerance, threshold, flat ? SpatialStart() : record_.start, record_.answer);
 }
 
-bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, PairStart* warm) {
+bool SpatialSolve::growth(bool about_origin, double tolerance, double threshold, PairStart* warm,
+                          bool fine_normal) {
   record_.begin();
+  record_.start.fine_normal = fine_normal;
   const bool balls = is_point(pair_.shape(0)) && is_point(pair_.shape(1));  // the first direction is the last
   if (!balls && (!begin_with_vertices(warm) || record_.start.count != 3)) begin_with_normal(warm);
   if (!find_growth(about_origin, tolerance, threshold)) return false;

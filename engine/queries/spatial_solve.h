@@ -37,8 +37,9 @@ class SpatialSolve {
 
   /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
   /// the first one about the origin of the world, to touch. Ends early where it is proven to be on one side
-  /// of `threshold`; NaN: never.
-  bool growth(bool about_origin, double tolerance, double threshold, PairStart* warm);
+  /// of `threshold`; NaN: never. `fine_normal`: the normal has to be as exact as the bounds, for gradients.
+  bool growth(bool about_origin, double tolerance, double threshold, PairStart* warm,
+              bool fine_normal = false);
 
   const SpatialAnswer& answer() const noexcept { return record_.answer; }
   const SpatialPair& pair() const noexcept { return pair_; }

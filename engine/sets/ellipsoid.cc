@@ -83,6 +83,9 @@ Ellipsoid::Ellipsoid(const ConstVectorRef& center, const Eigen::Ref<const Eigen:
   shape.has_right_angles = n == 3 && has_right_angles(shape.axis);
   shape.inner_radius = inverse_->least_stretch() * (1 - 0x1p-50);
   shape.extent = length(shape.center) + std::sqrt(square);
+  // The radii of curvature are at least σ²/σ', of the least and the largest half axis (Blaschke's theorem).
+  if (n == 3 && square > 0)
+    shape.rolling_radius = shape.inner_radius * (shape.inner_radius / std::sqrt(square)) * (1 - 0x1p-50);
   set_spatial_shape(std::make_shared<const SpatialShape>(shape));
 }
 

@@ -31,6 +31,8 @@ struct SpatialShape {
   double radius = 0;              ///< of the ball added
   double extent = 0;        ///< at least |x| for every point of the core, and for what they are computed from
   double inner_radius = 0;  ///< of a ball about the centre inside the set, proven; 0 where none is known
+  double rolling_radius =
+      0;  ///< of a ball that rolls inside the core of R^3: that is its sum with another set
   Matrix3 axis;
   Vector3 base,
       top;  ///< centres of the discs; ends of the segment, corners of the box, both without rounding

@@ -57,8 +57,9 @@ struct SpatialAnswer {
   }
 };
 
-/// Where a solve begins: with the vertices of the last one, or with its direction.
+/// Where a solve begins: with the vertices of the last one, or with its direction; and what it has to find.
 struct SpatialStart {
+  bool fine_normal = false;  ///< of a growth distance, for gradients: off by the gap, not by its root
   bool has_normal = false;
   Vector3 normal;
   int count = 0;

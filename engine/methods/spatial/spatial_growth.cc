@@ -8,6 +8,7 @@
 
 #include "engine/methods/spatial/nearest_on_simplex.h"
 #include "engine/methods/spatial/portal.h"
+#include "engine/methods/spatial/round_growth.h"
 #include "engine/methods/spatial/tuning.h"
 
 namespace raygauge {
@@ -16,160 +17,41 @@ namespace {
 constexpr int kMostExchanges = 80;
 constexpr int kMostIdleExchanges = 3;
 constexpr int kMostDiscoveries = 40;
-constexpr int kMostNewtonSteps = 12;
 constexpr double kLargestTilt = 1e4;  // shares of the angle that would do for a ball; beyond: 90°
 constexpr double kLeastTilt = 0.03;   // radians
 constexpr double kThin = 1e-3;        // height over extent of a plate
 constexpr double kCrossed = 0.1;      // sine of the angle between the bodies' long axes
 constexpr int kPatience = 4;          // discoveries before bodies without a known ball are tried as a plate
 constexpr double kSmall = 1e-12;      // of a length: rounding
-constexpr double kUp = 1 + 0x1p-46,
-                 kDown = 1 - 0x1p-46;  // a few operations on numbers that are certain otherwise
-constexpr double kInfinity = __builtin_inf();
 
-class Growth {
+class Growth : GrowthBounds {
  public:
   Growth(SpatialPair& pair, double tolerance, double threshold, SpatialAnswer& answer)
-      : pair_(pair),
-        tolerance_(tolerance),
-        threshold_(threshold),
-        p_(pair.between_centers()),
-        answer_(answer),
-        portal_(answer.combination.point) {
-    inner_radius_ = kDown * pair.inner_radius() - 2 * pair.error();
-  }
+      : GrowthBounds(pair, tolerance, threshold, answer), portal_(answer.combination.point) {}
 
   void run(const SpatialStart& start);
 
  private:
-  SpatialPoint support(const Vector3& u);
-  bool is_done();
-  void bound_from_below(const Vector3& u, const SpatialPoint& w);
-  void bound_from_above(const SpatialPoint* corner, int count, const double* weight);
-  double price_of_residual(const Vector3& r, double weights) const;
-  bool newton(Vector3 u);
   Vector3 way_to_ray(int known, const Vector3& u, double h);
   Vector3 tilt_to_ray(int known, const Vector3& u, double h);
   bool may_be_plate(int discoveries) const;
   bool begin_on_plate(Vector3& u, double& h);
   bool adopt(const SpatialPoint& w, int known);
+  bool is_first_on_ray(const Vector3& u, double h);
   bool discover(Vector3 u);
   bool recall(const SpatialStart& start, Vector3& u);
-  void refine();
+  bool is_on_round_piece() const;
+  void refine(bool fine_normal);
   void find_inner_radius();
   Portal<double, const Vector3&> portal() const { return {portal_[0].s, portal_[1].s, portal_[2].s}; }
   void bound_by_portal(bool may_end);
 
-  SpatialPair& pair_;
-  double tolerance_;
-  double threshold_;
-  Vector3 p_;
-  double inner_radius_;
-  SpatialAnswer& answer_;
   SpatialPoint* portal_;  // three, in the answer
   // Of two crossed needles B is a plate, about  uᵀMu <= 1  with  M = L² (1 - n nᵀ) + h² n nᵀ.
   bool is_plate_ = false;
   Vector3 n_;
   double length_square_ = 0, height_square_ = 0;
 };
-
-// s_B(u), balls included.
-SpatialPoint Growth::support(const Vector3& u) {
-  SpatialPoint w;
-  pair_.support(u, w);
-  w.s = w.s + p_;
-  if (pair_.radius() > 0) w.s = w.s + u * (pair_.radius() / length(u));
-  ++answer_.iterations;
-  return w;
-}
-
-bool Growth::is_done() {
-  if (answer_.bounds.close(tolerance_)) {
-    answer_.end = SpatialEnd::closed;
-  } else if (answer_.bounds.lower() > threshold_) {
-    answer_.end = SpatialEnd::separated;
-  } else if (answer_.bounds.upper() < threshold_) {
-    answer_.end = SpatialEnd::intersecting;
-  }
-  return answer_.end != SpatialEnd::open;
-}
-
-// u·p and u·s are within |u| error() of what they stand for.
-void Growth::bound_from_below(const Vector3& u, const SpatialPoint& w) {
-  const double slack = 2 * pair_.error() * length(u);
-  const double along = dot(u, p_) - slack, height = dot(u, w.s) + slack;
-  if (!(along > 0) || !(height > 0)) return;
-  answer_.raise_lower(along / height * kDown, u);
-}
-
-double Growth::price_of_residual(const Vector3& r, double weights) const {
-  if (!(inner_radius_ > 0)) return kInfinity;
-  return (length(r) + 2 * pair_.error() * (1 + weights)) / inner_radius_ * kUp;
-}
-
-void Growth::bound_from_above(const SpatialPoint* corner, int count, const double* weight) {
-  Vector3 r = p_;
-  double sum = 0;
-  for (int i = 0; i < count; ++i) {
-    r = r - corner[i].s * weight[i];
-    sum += weight[i];
-  }
-  answer_.bounds.reduce_upper(sum * kUp + price_of_residual(r, sum));
-}
-
-// A solve of the 3 × 3 system K x = b for a positive definite K; false where it is singular to working
-// precision, against the third power of its trace.
-bool solve(const Matrix3& K, const Vector3& b, Vector3& x) {
-  const Vector3 c0 = cross(K.column[1], K.column[2]);
-  const double determinant = dot(K.column[0], c0);
-  const double scale = K.column[0].x + K.column[1].y + K.column[2].z;
-  if (!(determinant > 1e-15 * scale * scale * scale)) return false;
-  x = Vector3{dot(b, c0), dot(b, cross(K.column[2], K.column[0])), dot(b, cross(K.column[0], K.column[1]))} *
-      (1 / determinant);
-  return true;
-}
-
-// Newton steps on the unit sphere. True when the solve is done; the best direction is in the answer
-// otherwise.
-bool Growth::newton(Vector3 u) {
-  Matrix3 H;
-  u = u * (1 / length(u));
-  SpatialPoint w = support(u);
-  double ratio = dot(u, p_) / dot(u, w.s);
-  for (int i = 0; i < kMostNewtonSteps; ++i) {
-    bound_from_below(u, w);
-    bound_from_above(&w, 1, &ratio);
-    if (is_done()) return true;
-    if (!(ratio > 0) || !pair_.hessian(u, H)) return false;
-    const double trace = H.column[0].x + H.column[1].y + H.column[2].z;
-    H.column[0] = H.column[0] + u * (trace * u.x);  // H u = 0: any multiple of u uᵀ makes it regular
-    H.column[1] = H.column[1] + u * (trace * u.y);
-    H.column[2] = H.column[2] + u * (trace * u.z);
-    Vector3 step;
-    if (!solve(H, p_ * (1 / ratio) - w.s, step)) return false;
-    step = step - u * dot(u, step);
-    const double long_by = length(step) / tuned::kLongestGrowthStep;
-    if (long_by > 1) step = step * (1 / long_by);
-    double share = 1, higher = 0;
-    Vector3 next;
-    SpatialPoint at_next;
-    // Where a step does not rise, a body with edges has one there, which no shorter step gets past.
-    const int trials = pair_.is_smooth() ? 4 : 1;
-    for (int trial = 0; trial < trials; ++trial) {
-      next = u + step * share;
-      next = next * (1 / length(next));
-      at_next = support(next);
-      higher = dot(next, p_) / dot(next, at_next.s);
-      if (higher >= ratio * (1 - 1e-14)) break;
-      share *= 0.35;
-    }
-    if (!(higher >= ratio * (1 - 1e-9))) return false;
-    u = next;
-    w = at_next;
-    ratio = higher;
-  }
-  return false;
-}
 
 // The way from what is known of the portal, one support point or two, to the ray of p, at the height of the
 // plane u·x = h; not shorter than kLeastTilt h.
@@ -256,6 +138,16 @@ bool Growth::adopt(const SpatialPoint& w, int known) {
   return false;
 }
 
+// Whether the support point of the first direction is on the ray of p, and proves the distance.
+bool Growth::is_first_on_ray(const Vector3& u, double h) {
+  const double ratio = dot(u, p_) / h, close = tolerance_ * inner_radius_ * ratio;
+  const Vector3 off = p_ - portal_[0].s * ratio;
+  if (!(dot(off, off) <= close * close)) return false;
+  bound_from_below(u, portal_[0].s);
+  bound_from_above(portal_, 1, &ratio);
+  return is_done();
+}
+
 // Three support points whose cone holds p, near each other; false where none are found, as for a B without an
 // interior. The first is that of u. The next ones are those of u tilted to where the ray is, by the angle
 // that would do for a ball; by more, up to a right angle, where that finds nothing new.
@@ -264,6 +156,7 @@ bool Growth::discover(Vector3 u) {
   portal_[0] = support(u);
   double h = dot(u, portal_[0].s);
   if (!(h > 0) || !(dot(u, p_) > 0)) return false;
+  if (is_first_on_ray(u, h)) return false;
   int known = 1;
   double tilt = tuned::kFirstTilt;
   for (int i = 0; i < kMostDiscoveries; ++i) {
@@ -339,9 +232,18 @@ void Growth::bound_by_portal(bool may_end) {
   bound_from_above(portal_, 3, weight);
 }
 
+// Whether what is between the corners curves in both directions: Newton steps find it.
+bool Growth::is_on_round_piece() const {
+  const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
+  const bool both = is_curved(one) && is_curved(two);
+  return (both || pair_.radius() > 0 || has_curved_surface(one) || has_curved_surface(two)) &&
+         portal_[0].has_same_pieces(portal_[1]) && portal_[0].has_same_pieces(portal_[2]);
+}
+
 // The planes of the portals meet the ray ever farther from the origin, at p n·s/n·p; where they do not, they
 // are made of rounding errors.
-void Growth::refine() {
+void Growth::refine(bool fine_normal) {
+  bool may_be_round = pair_.is_curved() && pair_.prisms().empty();
   double farthest = 0;  // n·s/n·p
   int idle = 0;
   for (int i = 0; i < kMostExchanges && idle < kMostIdleExchanges; ++i) {
@@ -352,11 +254,16 @@ void Growth::refine() {
     const double meets = plane / along;
     idle = meets > farthest ? 0 : idle + 1;
     farthest = std::max(farthest, meets);
+    if (may_be_round && is_on_round_piece()) {
+      may_be_round = false;
+      GrowthBounds round = *this;  // a copy: what is known here stays in registers
+      if (newton_growth(round, n, fine_normal)) return;
+    }
     SpatialPoint w = support(n);
     const double hopeful = plane / dot(n, w.s);  // lower/upper, but for rounding
     const bool may_end = hopeful >= 1 - tolerance_;
     if (may_end || !std::isnan(threshold_)) {
-      if (may_end || along > threshold_ * dot(n, w.s)) bound_from_below(n, w);
+      if (may_end || along > threshold_ * dot(n, w.s)) bound_from_below(n, w.s);
       bound_by_portal(may_end);
       if (is_done()) return;
       if (hopeful >= 1 - 1e-15) return;
@@ -368,16 +275,15 @@ void Growth::refine() {
 void Growth::run(const SpatialStart& start) {
   if (!(dot(p_, p_) > 16 * pair_.error() * pair_.error())) return;
   const bool steered = start.has_normal && dot(start.normal, p_) > 0;
-  Matrix3 H;
-  if (pair_.hessian(p_, H) && newton(steered ? start.normal : p_)) return;
+  if (round_growth(pair_, tolerance_, threshold_, start, answer_)) return;
   if (!std::isnan(threshold_)) {
     const Vector3 u = steered ? start.normal : p_;
-    bound_from_below(u, support(u));
+    bound_from_below(u, support(u).s);
     if (is_done()) return;
   }
   Vector3 u = answer_.bounds.lower() > 0 ? answer_.normal : steered ? start.normal : p_;
   if (!recall(start, u) && !discover(u)) return;
-  refine();
+  refine(start.fine_normal);
   answer_.combination.count = 3;
   std::fill_n(answer_.combination.weight, 3, 1.0 / 3);  // a portal has none of its own
 }

@@ -173,19 +173,23 @@ bool SpatialPair::follow(const Vector3& u, SpatialPoint& point, const SpatialPoi
   return find_pieces(u, point, followed);
 }
 
-bool SpatialPair::hessian(const Vector3& u, Matrix3& H) const {
-  const bool curved = radius() > 0 || has_curved_surface(shape(0)) || has_curved_surface(shape(1));
-  if (!curved || prisms_ > 0) return false;
-  H = {};
+bool SpatialPair::smooth_form(const Vector3& u, Matrix3& M) const {
+  const bool round[2] = {has_curved_surface(shape(0)), has_curved_surface(shape(1))};
+  if (!round[0] && !round[1]) return false;
+  double ball = radius();
   for (int i = 0; i < 2; ++i) {
-    with_core(shape(i), [&](const auto& core) {
-      if constexpr (requires { core.kIsCurved; }) {
-        curvatures_.add(shape(i), i, u, core.look(frame_.into(i, u), isa_).index, 1, H);
-      }
-    });
+    if (round[i] || is_point(shape(i))) continue;
+    if (raygauge::is_curved(shape(i)) || !(shape(i).inner_radius > shape(i).radius)) return false;
+    ball += shape(i).inner_radius - shape(i).radius;
   }
-  const double size = length(u);
-  if (radius() > 0) add_curvature({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {u * (1 / size), radius() / size}, H);
+  ball /= length(u);
+  M = {{{ball, 0, 0}, {0, ball, 0}, {0, 0, ball}}};
+  for (int i = 0; i < 2; ++i) {
+    if (!round[i]) continue;
+    const Matrix3& S = curvatures_.form(i);
+    const double share = 1 / std::sqrt(dot(u, S * u));
+    for (int j = 0; j < 3; ++j) M.column[j] = M.column[j] + S.column[j] * share;
+  }
   return true;
 }
 

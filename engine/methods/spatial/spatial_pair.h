@@ -23,6 +23,9 @@ class Curvatures {
   void add(const SpatialShape& shape, int i, const Vector3& u, std::int32_t index, double weight,
            Matrix3& H) const;
 
+  /// Of core i, a curved one: S in CoreCurvature.
+  const Matrix3& form(int i) const noexcept { return form_[i]; }
+
  private:
   Matrix3 axes_[2], form_[2];
 };
@@ -85,8 +88,9 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   /// not.
   bool follow(const Vector3& u, SpatialPoint& point, const SpatialPoint* followed = nullptr) const;
 
-  /// The Hessian of h_D at u, balls included, added up; false where it says nothing (no curvature).
-  bool hessian(const Vector3& u, Matrix3& H) const;
+  /// Of ellipsoids, balls included: M with M u = s(u) about the centres, the sum of their forms over heights
+  /// at u. A polytope counts as the ball inside it. False without an ellipsoid, and beside other cores.
+  bool smooth_form(const Vector3& u, Matrix3& M) const;
 
   /// Adds `weight` times the Hessian of u·s(u) for these pieces of the cores.
   void add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
