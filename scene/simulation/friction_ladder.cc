@@ -11,7 +11,7 @@ namespace raygauge {
 namespace {
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
-double rough_friction(std::size_t contacts, bool first) {
+double hard_friction(std::size_t contacts, bool first) {
   return contacts <= 150 ? enough_friction(contacts, first) : 1e-3;
 }
 
@@ -47,15 +47,24 @@ class Ladder {
 
 }  // namespace
 
-// Newton's method may end where F is least nearby; then it begins elsewhere.
-double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
+// Passes bring many contacts near their law soon, and take the longer for the rest the more there are, which
+// Newton's method does not. It may end where F is least nearby; then it begins elsewhere.
+double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
+                      bool roughly) {
   constexpr double kSteepness = 10;  // with which most islands end
   const std::size_t count = island.contacts.size();
-  const bool first = r.isZero(0);
+  const bool first = r.isZero(0), many = count > kFewContacts && (roughly || count > kManyContacts);
   const double bound = island.bound_of_W(), enough = enough_friction(count, first);
   const Eigen::VectorXd guess = r;
-  const double passed = pass_over_friction(island, bound, r);
-  if (passed <= enough) return passed;
+  double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
+  if (passed <= (many && roughly ? kRoughFriction : enough)) return passed;
+  if (many) {
+    Ladder ladder(island, bound, enough, passed, r);
+    ladder.newton(Eigen::VectorXd(r), kSteepness);
+    if (ladder.is_solved()) return ladder.residual();
+    passed = pass_over_friction(island, bound, r);
+    if (passed <= enough) return passed;
+  }
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
   ladder.newton(guess, kSteepness);
@@ -64,7 +73,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   ladder.newton(r, 100);
   ladder.newton(2 * passes, 1);
   ladder.newton(passes / 2, 0.1);
-  if (friction == nullptr || ladder.residual() <= rough_friction(count, first)) return ladder.residual();
+  if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
   ladder.newton(trial, kSteepness);

@@ -213,16 +213,7 @@ bool GroupStepper::move(double dt) {
   for (int trial = 0; trial < kMostTrials; ++trial) {
     restore(before_);
     if (stop_()) return true;  // nothing was done
-    bool possible = push_and_move(dt);
-    while (possible && catch_closing(dt)) {
-      restore(before_);
-      possible = push_and_move(dt);
-    }
-    for (int k = 0; possible && k < kMostCorrections && corrected(dt); ++k) {
-      restore(before_);
-      possible = push_and_move(dt);
-    }
-    if (!possible) {
+    if (!settle(dt)) {
       dt /= 2;
       restore(before_);
       if (jams() && dt < kShortest * dynamics_.step) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
@@ -249,10 +240,26 @@ bool GroupStepper::move(double dt) {
   return false;
 }
 
+// The impulses and motions over dt, with all pairs that they bring together, first of them roughly. False:
+// see push_and_move().
+bool GroupStepper::settle(double dt) {
+  int corrections = 0;
+  for (const bool roughly : {true, false}) {
+    if (!push_and_move(dt, roughly)) return false;
+    while (catch_closing(dt) || (corrections < kMostCorrections && ++corrections > 0 && corrected(dt))) {
+      restore(before_);
+      if (!push_and_move(dt, roughly)) return false;
+    }
+    if (!problem_.is_rough()) return true;
+    restore(before_);
+  }
+  return true;
+}
+
 void GroupStepper::move_unproven(double dt) {
   bent_dt_ = kInfinity;
   restore(before_);
-  for (int trial = 0; !push_and_move(dt); ++trial) {
+  for (int trial = 0; !push_and_move(dt, false); ++trial) {
     if (trial == kMostTrials && jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
     if (trial == kMostTrials)
       throw Error("simulation: at " + std::to_string(t_) + " s a body spins too fast");

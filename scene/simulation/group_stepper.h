@@ -64,7 +64,8 @@ class GroupStepper {
   void move_unproven(double dt);
   double end_of(double dt) const;
   double shorter_than(double dt, double proven, int trial);
-  bool push_and_move(double dt);
+  bool settle(double dt);
+  bool push_and_move(double dt, bool roughly);
   bool catch_closing(double dt);
   bool corrected(double dt);
   double correction(const NearPair& pair, double dt, PairTools& tools);
