@@ -24,19 +24,35 @@ class Ladder {
   double residual() const { return residual_; }
   bool is_solved() const { return residual_ <= enough_; }
 
+  // From where it is, by a few rounds while they gain.
+  void newton_briefly(double steepness) {
+    Eigen::VectorXd trial = r_;
+    take(newton_.improve_briefly(steepness, kMore * enough_, trial), trial);
+  }
+
+  // Passes, likewise.
+  void pass(const FrictionIsland& island, double bound) {
+    if (is_solved()) return;
+    Eigen::VectorXd trial = r_;
+    take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
+  }
+
   // By a slope that sees far, and from where that leads by one that tells near things apart.
   void newton(Eigen::VectorXd trial, double steepness) {
     constexpr double kSteeper = 300;
     for (const double factor : {1.0, kSteeper}) {
       if (is_solved()) return;
-      const double found = newton_.improve(factor * steepness, kMore * enough_, trial);
-      if (!(found < residual_)) continue;
-      residual_ = found;
-      r_ = trial;
+      take(newton_.improve(factor * steepness, kMore * enough_, trial), trial);
     }
   }
 
  private:
+  void take(double found, const Eigen::VectorXd& r) {
+    if (!(found < residual_)) return;
+    residual_ = found;
+    r_ = r;
+  }
+
   static constexpr double kMore = 0.1;  // of what is enough: the last steps gain much
 
   double enough_;
@@ -52,21 +68,23 @@ class Ladder {
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
                       bool roughly) {
   constexpr double kSteepness = 10;  // with which most islands end
+  constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
   const bool first = r.isZero(0), many = count > kFewContacts && (roughly || count > kManyContacts);
-  const double bound = island.bound_of_W(), enough = enough_friction(count, first);
+  const double bound = island.bound_of_W();
+  const double enough = many && roughly ? kRoughFriction : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
-  double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
-  if (passed <= (many && roughly ? kRoughFriction : enough)) return passed;
-  if (many) {
-    Ladder ladder(island, bound, enough, passed, r);
-    ladder.newton(Eigen::VectorXd(r), kSteepness);
-    if (ladder.is_solved()) return ladder.residual();
-    passed = pass_over_friction(island, bound, r);
-    if (passed <= enough) return passed;
-  }
+  const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
+  if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
-  const Eigen::VectorXd passes = r;
+  Eigen::VectorXd passes = r;
+  if (many) {
+    for (int k = 0; k < kTurns && !ladder.is_solved(); ++k) {
+      ladder.newton_briefly(kSteepness);
+      ladder.pass(island, bound);
+    }
+    if (!ladder.is_solved()) pass_over_friction(island, bound, passes = guess);
+  }
   ladder.newton(guess, kSteepness);
   ladder.newton(passes, kSteepness);
   ladder.newton(0 * passes, 1);

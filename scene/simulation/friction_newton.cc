@@ -11,15 +11,15 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr int kPatience = 15;                    // rounds within which the residual is to fall to half
+constexpr int kPatience = 15, kBrief = 3;        // rounds within which the residual is to fall to half
 constexpr int kMostSteps = 12, kMostHalves = 4;  // of a round, and of a step
-constexpr double kFirstSoftness = 0.1;           // κ, relative to W and to the residual, ...
+constexpr double kFirstSoftness = 1e-3;          // κ, relative to W, ...
+constexpr double kByResidual = 0.1, kLeastFirst = 1e-7;  // ... and near a solution to the residual too, ...
 constexpr double kLeastSoftness = 1e-9, kMostSoftness = 1;
-constexpr double kLeastFirst = 1e-7, kMostFirst = 1e-3;  // at first
-constexpr double kStiffer = 0.3, kSofter = 10;           // ... and how it changes
-constexpr int kSoon = 2;                                 // steps of a round after which κ falls twice
-constexpr double kClose = 1e-3;                          // of F: that ends a round
-constexpr double kFailed = 0.1;                          // of F: more than that at its end
+constexpr double kStiffer = 0.3, kSofter = 10;  // ... and how it changes
+constexpr int kSoon = 2;                        // steps of a round after which κ falls twice
+constexpr double kClose = 1e-3;                 // of F: that ends a round
+constexpr double kFailed = 0.1;                 // of F: more than that at its end
 
 auto part_of(const Eigen::VectorXd& r, std::size_t c) {
   return r.segment<3>(3 * static_cast<Eigen::Index>(c));
@@ -178,10 +178,21 @@ int IslandNewton::solve_soft(Eigen::VectorXd& r) {
 
 double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r) {
   steepness_ = steepness;
+  softness_ = kFirstSoftness * largest_;
+  return go(enough, kPatience, r);
+}
+
+double IslandNewton::improve_briefly(double steepness, double enough, Eigen::VectorXd& r) {
+  steepness_ = steepness;
+  const double near = kByResidual * island_residual(island_, bound_, r);
+  softness_ = std::clamp(near, kLeastFirst, kFirstSoftness) * largest_;
+  return go(enough, kBrief, r);
+}
+
+double IslandNewton::go(double enough, int patience, Eigen::VectorXd& r) {
   Eigen::VectorXd here = r;
   velocities_.reset(island_, here);
   double best = island_residual(island_, bound_, here), gained = best;
-  softness_ = std::clamp(kFirstSoftness * best, kLeastFirst, kMostFirst) * largest_;
   for (int round = 0, gained_at = 0; round < kMostRounds && best > enough; ++round) {
     const int steps = solve_soft(here);
     softness_ *= steps > kMostSteps ? kSofter : steps > kSoon ? kStiffer : kStiffer * kStiffer;
@@ -195,7 +206,7 @@ double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r
       gained = best;
       gained_at = round;
     }
-    if (round > gained_at + kPatience) break;
+    if (round > gained_at + patience) break;
   }
   return best;
 }

@@ -36,6 +36,10 @@ class IslandNewton {
   /// slip by little are told from such that stick.
   double improve(double steepness, double enough, Eigen::VectorXd& r);
 
+  /// The same where r is near: by contacts that are the stiffer the nearer it is, and only while a few rounds
+  /// gain.
+  double improve_briefly(double steepness, double enough, Eigen::VectorXd& r);
+
  private:
   struct Row {
     double size = 0;  // ‖W of the contact‖
@@ -52,6 +56,7 @@ class IslandNewton {
   void add_slope(std::size_t c);
   void find_step(const Eigen::VectorXd& r);
   int solve_soft(Eigen::VectorXd& r);
+  double go(double enough, int patience, Eigen::VectorXd& r);
 
   const FrictionIsland& island_;
   double bound_, size_of_q_;
