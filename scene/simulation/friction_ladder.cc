@@ -72,7 +72,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   const std::size_t count = island.contacts.size();
   const bool first = r.isZero(0), many = count > kFewContacts && (roughly || count > kManyContacts);
   const double bound = island.bound_of_W();
-  const double enough = many && roughly ? kRoughFriction : enough_friction(count, first);
+  const double enough = many && roughly ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
   if (passed <= enough) return passed;

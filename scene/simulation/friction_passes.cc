@@ -15,6 +15,7 @@ namespace {
 constexpr int kMostPasses = 600;
 constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
 constexpr int kPatience = 30;        // ... within so many of them, ...
+constexpr int kRough = 10;           // ... or within so many where a rough answer is enough, ...
 constexpr int kMore = 8;             // ... or within so many where it is small enough
 constexpr double kNear = 100;        // times enough: a change, as a residual, from which on every pass ...
 constexpr int kFar = 8;              // ... is measured; of others every eighth
@@ -214,7 +215,10 @@ class Descent {
     return size;
   }
 
-  bool has_stalled(int k) const { return k > gained_at_ + (best_ > kSolvedFriction ? kPatience : kMore); }
+  bool has_stalled(int k) const {
+    const int patience = enough_ > kSolvedFriction ? kRough : best_ > kSolvedFriction ? kPatience : kMore;
+    return k > gained_at_ + patience;
+  }
 
   const FrictionIsland& island_;
   double bound_, size_of_q_, enough_;

@@ -13,8 +13,8 @@ inline constexpr std::size_t kFewContacts = 24;
 /// 800 bodies).
 inline constexpr std::size_t kManyContacts = 100;
 
-/// The residual that tells which bodies meet.
-inline constexpr double kRoughFriction = 1e-4;
+/// The residual that tells which bodies meet, and up to which it does where passes go no further.
+inline constexpr double kRoughFriction = 1e-4, kMostRough = 1e-2;
 
 /// The residual that passes aim at.
 inline constexpr double kPassedFriction = 1e-10;
