@@ -220,7 +220,7 @@ void ContactProblem::solve_anew(const std::vector<ContactUnknown*>& contacts,
         frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
   one.r = guess;
   one.residual = impulses(contacts, one.island, roughly, one.r);
-  one.is_rough = roughly && contacts.size() > kFewContacts && one.residual <= kMostRough &&
+  one.is_rough = roughly && contacts.size() > kManyContacts && one.residual <= kMostRough &&
                  one.residual > enough_friction(contacts.size(), false);
   std::optional<Eigen::VectorXd> jam;
   if (one.residual > kUnsolvable && !one.is_rough) jam = jam_of(one.island);
