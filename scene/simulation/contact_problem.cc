@@ -111,6 +111,9 @@ std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknow
 double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies,
                              bool roughly) {
   constexpr std::size_t kFewest = 32;  // contacts that are worth a second thread
+  jammed_.clear();
+  is_rough_ = false;
+  if (contacts.empty()) return 0;
   std::vector<std::vector<ContactUnknown*>> islands;
   for (const std::vector<std::size_t>& numbers : islands_of(contacts, bodies)) {
     std::vector<ContactUnknown*>& island = islands.emplace_back();
@@ -127,8 +130,6 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
              });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
   double residual = 0;
-  jammed_.clear();
-  is_rough_ = false;
   for (Solved& one : solved) {
     is_rough_ = is_rough_ || one.is_rough;
     if (jammed_.empty()) jammed_ = one.jammed;

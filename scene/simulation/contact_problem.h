@@ -56,7 +56,8 @@ class ContactProblem {
 
   /// Bodies that the last solve() found jammed all the same, and those that jam them; see jam_of(). Then what
   /// it has found is no solution.
-  const std::vector<int>& jammed() const { return jammed_; }
+  const std::vector<int>& jammed() const noexcept { return jammed_; }
+  bool jams() const noexcept { return !jammed_.empty(); }
 
  private:
   struct Solved {

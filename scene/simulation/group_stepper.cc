@@ -191,7 +191,7 @@ bool GroupStepper::bounce() {
   ++counters_.impact_problems;
   save(free_);
   const double residual = problem_.solve(contacts, bodies_);
-  if (!problem_.jammed().empty()) {  // the substep will tell
+  if (problem_.jams()) {  // the substep will tell
     restore(free_);
     roles_.end_bounces();
     return false;
@@ -216,8 +216,9 @@ bool GroupStepper::move(double dt) {
     if (!settle(dt)) {
       dt /= 2;
       restore(before_);
-      if (jams() && dt < kShortest * dynamics_.step) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
-      if (jams()) bent_dt_ = dt;
+      if (problem_.jams() && dt < kShortest * dynamics_.step)
+        refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+      if (problem_.jams()) bent_dt_ = dt;
       roles_.choose(*near_, dt);  // what was asked of the longer one is no longer
       continue;
     }
@@ -235,7 +236,7 @@ bool GroupStepper::move(double dt) {
     restore(before_);
     roles_.choose(*near_, dt);
   }
-  if (jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+  if (problem_.jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
   move_unproven(std::min(asked, kUnproven * dynamics_.step));
   return false;
 }
@@ -260,7 +261,7 @@ void GroupStepper::move_unproven(double dt) {
   bent_dt_ = kInfinity;
   restore(before_);
   for (int trial = 0; !push_and_move(dt, false); ++trial) {
-    if (trial == kMostTrials && jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+    if (trial == kMostTrials && problem_.jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
     if (trial == kMostTrials)
       throw Error("simulation: at " + std::to_string(t_) + " s a body spins too fast");
     dt /= 2;

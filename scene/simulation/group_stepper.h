@@ -57,7 +57,6 @@ class GroupStepper {
   void restore(const std::vector<SimulatedBody>& from) { copy_active(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
-  bool jams() const { return !contacts_.empty() && !problem_.jammed().empty(); }
   void follow_motion(int number);
   bool bounce();
   bool move(double dt);

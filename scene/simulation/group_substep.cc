@@ -88,8 +88,8 @@ bool GroupStepper::push_and_move(double dt, bool roughly) {
                            last_.guess(pair, point, kSamePoint * body(pair.a).reach, dt)});
     }
   }
-  residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_, roughly);
-  if (jams()) return false;
+  residual_ = problem_.solve(contacts_, bodies_, roughly);
+  if (problem_.jams()) return false;
   last_.remember(contacts_, dt);
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {
