@@ -122,6 +122,8 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   }
   std::stable_sort(islands.begin(), islands.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
+  // Small islands alone are solved to the end as soon.
+  roughly = roughly && islands.front().size() > kManyContacts;
   std::vector<Solved> solved(islands.size());
   share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
              [&](std::size_t first, std::size_t last) {
@@ -221,7 +223,7 @@ void ContactProblem::solve_anew(const std::vector<ContactUnknown*>& contacts,
         frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
   one.r = guess;
   one.residual = impulses(contacts, one.island, roughly, one.r);
-  one.is_rough = roughly && contacts.size() > kManyContacts && one.residual <= kMostRough &&
+  one.is_rough = roughly && contacts.size() > kFewContacts && one.residual <= kMostRough &&
                  one.residual > enough_friction(contacts.size(), false);
   std::optional<Eigen::VectorXd> jam;
   if (one.residual > kUnsolvable && !one.is_rough) jam = jam_of(one.island);

@@ -70,7 +70,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   constexpr double kSteepness = 10;  // with which most islands end
   constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
-  const bool first = r.isZero(0), many = count > kManyContacts;
+  const bool first = r.isZero(0), many = count > (roughly ? kFewContacts : kManyContacts);
   const double bound = island.bound_of_W();
   const double enough = many && roughly ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
