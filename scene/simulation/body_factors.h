@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <vector>
 
 #include "scene/simulation/friction_island.h"
@@ -20,8 +20,14 @@ class BodyFactors {
 
   void set_identity();
 
-  /// Adds to the block of two bodies that share a contact, or of one.
-  void add(int i, int j, const Block& block);
+  /// Where the block of two bodies is that share a contact, or of one.
+  std::size_t place_of(int i, int j) const;
+
+  /// Adds to the block there.
+  template <class Sum>
+  void add(std::size_t place, const Sum& block) {
+    blocks_[place] += block;
+  }
 
   /// Then only solve() may be asked, until set_identity().
   void factorize();
@@ -30,23 +36,23 @@ class BodyFactors {
   void solve(Columns& x) const;
 
  private:
+  // Its blocks: the diagonal one, which becomes its inverse without those before it; those below, ...
+  // ... which become such times the inverse; those on the right.
   struct Pivot {
     int body = 0;
     std::vector<int> later;  // pivots that it is joined to, in rising order
-    Block diagonal;
-    Eigen::PartialPivLU<Block> factors;  // of it, without those before
-    std::vector<Block> below, right;     // the latter, factorized, times its inverse
+    std::size_t first = 0;   // place of its blocks
 
-    template <class Column>
-    void divide(Column&& column) const {
-      column = Eigen::Matrix<double, 6, 1>(factors.solve(Eigen::Matrix<double, 6, 1>(column)));
-    }
+    std::size_t below(std::size_t k) const { return first + 1 + k; }
+    std::size_t right(std::size_t k) const { return first + 1 + later.size() + k; }
   };
 
-  Block& at(int row, int column);
+  std::size_t place_of_pivots(int row, int column) const;
 
   std::vector<Pivot> pivots_;
   std::vector<int> pivot_of_;  // each body
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> changed_;  // places that the pivots change, in turn
 };
 
 }  // namespace raygauge

@@ -12,6 +12,7 @@
 #include "raygauge/numerics/vector3.h"
 #include "scene/simulation/friction_jam.h"
 #include "scene/simulation/friction_ladder.h"
+#include "scene/simulation/friction_passes.h"
 #include "scene/simulation/islands.h"
 
 namespace raygauge {
@@ -107,8 +108,12 @@ std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknow
 }
 
 // The largest islands first: they take longest.
-double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies) {
+double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies,
+                             bool roughly) {
   constexpr std::size_t kFewest = 32;  // contacts that are worth a second thread
+  jammed_.clear();
+  is_rough_ = false;
+  if (contacts.empty()) return 0;
   std::vector<std::vector<ContactUnknown*>> islands;
   for (const std::vector<std::size_t>& numbers : islands_of(contacts, bodies)) {
     std::vector<ContactUnknown*>& island = islands.emplace_back();
@@ -117,15 +122,18 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   }
   std::stable_sort(islands.begin(), islands.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
+  // Small islands alone are solved to the end as soon.
+  roughly = roughly && islands.front().size() > kManyContacts;
   std::vector<Solved> solved(islands.size());
   share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
              [&](std::size_t first, std::size_t last) {
-               for (std::size_t k = first; k < last; ++k) solved[k] = solve_island(islands[k], bodies);
+               for (std::size_t k = first; k < last; ++k)
+                 solved[k] = solve_island(islands[k], bodies, roughly);
              });
   for (const ContactUnknown& contact : contacts) push_apart(contact, bodies);
   double residual = 0;
-  jammed_.clear();
   for (Solved& one : solved) {
+    is_rough_ = is_rough_ || one.is_rough;
     if (jammed_.empty()) jammed_ = one.jammed;
     residual = std::max(residual, one.residual);
     if (!one.was_known) known_.push_back(std::move(one));
@@ -177,14 +185,16 @@ FrictionIsland ContactProblem::island_of(const std::vector<ContactUnknown*>& con
 
 const ContactProblem::Solved* ContactProblem::known(const Solved& asked) const {
   const auto found = std::find_if(known_.rbegin(), known_.rend(), [&asked](const Solved& one) {
-    return one.first == asked.first && one.island == asked.island;
+    return one.first == asked.first && (!one.is_rough || asked.is_rough) && one.island == asked.island;
   });
   return found == known_.rend() ? nullptr : &*found;
 }
 
 ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnknown*>& contacts,
-                                                    const std::vector<SimulatedBody>& bodies) const {
+                                                    const std::vector<SimulatedBody>& bodies,
+                                                    bool roughly) const {
   Solved one;
+  one.is_rough = roughly;
   one.first = {contacts.front()->a, contacts.front()->b};
   one.island = island_of(contacts, bodies);
   if (const Solved* const before = known(one)) {
@@ -192,10 +202,11 @@ ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnk
     one.residual = before->residual;
     one.rests = before->rests;
     one.jammed = before->jammed;
+    one.is_rough = before->is_rough;
     one.was_known = true;
     if (one.rests) leave_at_rest(contacts);
   } else {
-    solve_anew(contacts, bodies, one);
+    solve_anew(contacts, bodies, roughly, one);
   }
   for (std::size_t c = 0; c < contacts.size(); ++c)
     contacts[c]->impulse =
@@ -205,31 +216,33 @@ ContactProblem::Solved ContactProblem::solve_island(const std::vector<ContactUnk
 
 // Overlaps that nothing can push apart are left: bodies that stand jam nobody then.
 void ContactProblem::solve_anew(const std::vector<ContactUnknown*>& contacts,
-                                const std::vector<SimulatedBody>& bodies, Solved& one) const {
+                                const std::vector<SimulatedBody>& bodies, bool roughly, Solved& one) const {
   Eigen::VectorXd guess(3 * static_cast<Eigen::Index>(contacts.size()));
   for (std::size_t c = 0; c < contacts.size(); ++c)
     guess.segment<3>(3 * static_cast<Eigen::Index>(c)) =
         frame_of(contacts[c]->normal, n_) * contacts[c]->impulse;
   one.r = guess;
-  one.residual = impulses(contacts, one.island, one.r);
+  one.residual = impulses(contacts, one.island, roughly, one.r);
+  one.is_rough = roughly && contacts.size() > kFewContacts && one.residual <= kMostRough &&
+                 one.residual > enough_friction(contacts.size(), false);
   std::optional<Eigen::VectorXd> jam;
-  if (one.residual > kUnsolvable) jam = jam_of(one.island);
+  if (one.residual > kUnsolvable && !one.is_rough) jam = jam_of(one.island);
   if (!jam) return;
   FrictionIsland island = one.island;
   if (leave_at_rest(contacts)) {
     one.rests = true;
     island = island_of(contacts, bodies);
     one.r = guess;
-    one.residual = impulses(contacts, island, one.r);
+    one.residual = impulses(contacts, island, false, one.r);
     jam = one.residual > kUnsolvable ? jam_of(island) : std::nullopt;
   }
   if (jam) one.jammed = pressed_by(*jam, contacts);
 }
 
 double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
-                                Eigen::VectorXd& r) const {
+                                bool roughly, Eigen::VectorXd& r) const {
   if (is_named(contacts)) {
-    const double residual = solve_friction(island, friction_, r);
+    const double residual = solve_friction(island, friction_, r, roughly);
     if (std::isfinite(residual) && r.allFinite()) return std::max(residual, rounding_of(island, r));
     r.setZero();
     return std::numeric_limits<double>::infinity();

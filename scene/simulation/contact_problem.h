@@ -47,11 +47,17 @@ class ContactProblem {
   /// Finds the impulses and pushes the bodies. The largest relative residual. An island that has been solved
   /// since forget() is not solved again.
   /// Where bodies jam, none of their contacts is asked for more than rest: they lose the offsets below 0.
-  double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies);
+  /// `roughly`: large islands are solved to a residual that tells which bodies meet, but is not to be kept.
+  double solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies,
+               bool roughly = false);
+
+  /// Whether the last solve() has left an island so.
+  bool is_rough() const noexcept { return is_rough_; }
 
   /// Bodies that the last solve() found jammed all the same, and those that jam them; see jam_of(). Then what
   /// it has found is no solution.
-  const std::vector<int>& jammed() const { return jammed_; }
+  const std::vector<int>& jammed() const noexcept { return jammed_; }
+  bool jams() const noexcept { return !jammed_.empty(); }
 
  private:
   struct Solved {
@@ -62,17 +68,18 @@ class ContactProblem {
     double residual = 0;
     std::vector<int> jammed;
     bool was_known = false;
+    bool is_rough = false;
   };
 
   void count(const std::vector<ContactUnknown*>& contacts);
-  Solved solve_island(const std::vector<ContactUnknown*>& contacts,
-                      const std::vector<SimulatedBody>& bodies) const;
+  Solved solve_island(const std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies,
+                      bool roughly) const;
   const Solved* known(const Solved& asked) const;
   FrictionIsland island_of(const std::vector<ContactUnknown*>& contacts,
                            const std::vector<SimulatedBody>& bodies) const;
   void solve_anew(const std::vector<ContactUnknown*>& contacts, const std::vector<SimulatedBody>& bodies,
-                  Solved& one) const;
-  double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island,
+                  bool roughly, Solved& one) const;
+  double impulses(const std::vector<ContactUnknown*>& contacts, const FrictionIsland& island, bool roughly,
                   Eigen::VectorXd& r) const;
 
   int n_;
@@ -81,6 +88,7 @@ class ContactProblem {
   ChunkTeam* team_ = nullptr;
   std::vector<Solved> known_;
   std::vector<int> jammed_;
+  bool is_rough_ = false;
 };
 
 }  // namespace raygauge

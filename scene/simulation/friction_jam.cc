@@ -106,7 +106,7 @@ class Lack {
       const Eigen::Matrix3d slope = cone_slope(-velocity(y_, contact), contact.mu) / firm;
       for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
         for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-          if (i >= 0 && j >= 0) factors_.add(i, j, *G * slope * H->transpose());
+          if (i >= 0 && j >= 0) factors_.add(factors_.place_of(i, j), *G * slope * H->transpose());
         }
       }
     }

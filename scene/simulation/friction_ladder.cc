@@ -11,7 +11,7 @@ namespace raygauge {
 namespace {
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
-double rough_friction(std::size_t contacts, bool first) {
+double hard_friction(std::size_t contacts, bool first) {
   return contacts <= 150 ? enough_friction(contacts, first) : 1e-3;
 }
 
@@ -24,19 +24,35 @@ class Ladder {
   double residual() const { return residual_; }
   bool is_solved() const { return residual_ <= enough_; }
 
+  // From where it is, by a few rounds while they gain.
+  void newton_briefly(double steepness) {
+    Eigen::VectorXd trial = r_;
+    take(newton_.improve_briefly(steepness, kMore * enough_, trial), trial);
+  }
+
+  // Passes, likewise.
+  void pass(const FrictionIsland& island, double bound) {
+    if (is_solved()) return;
+    Eigen::VectorXd trial = r_;
+    take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
+  }
+
   // By a slope that sees far, and from where that leads by one that tells near things apart.
   void newton(Eigen::VectorXd trial, double steepness) {
     constexpr double kSteeper = 300;
     for (const double factor : {1.0, kSteeper}) {
       if (is_solved()) return;
-      const double found = newton_.improve(factor * steepness, kMore * enough_, trial);
-      if (!(found < residual_)) continue;
-      residual_ = found;
-      r_ = trial;
+      take(newton_.improve(factor * steepness, kMore * enough_, trial), trial);
     }
   }
 
  private:
+  void take(double found, const Eigen::VectorXd& r) {
+    if (!(found < residual_)) return;
+    residual_ = found;
+    r_ = r;
+  }
+
   static constexpr double kMore = 0.1;  // of what is enough: the last steps gain much
 
   double enough_;
@@ -47,24 +63,35 @@ class Ladder {
 
 }  // namespace
 
-// Newton's method may end where F is least nearby; then it begins elsewhere.
-double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r) {
+// Passes bring many contacts near their law soon, and take the longer for the rest the more there are, which
+// Newton's method does not. It may end where F is least nearby; then it begins elsewhere.
+double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
+                      bool roughly) {
   constexpr double kSteepness = 10;  // with which most islands end
+  constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
-  const bool first = r.isZero(0);
-  const double bound = island.bound_of_W(), enough = enough_friction(count, first);
+  const bool first = r.isZero(0), many = count > (roughly ? kFewContacts : kManyContacts);
+  const double bound = island.bound_of_W();
+  const double enough = many && roughly ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
-  const double passed = pass_over_friction(island, bound, r);
+  const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
-  const Eigen::VectorXd passes = r;
+  Eigen::VectorXd passes = r;
+  if (many) {
+    for (int k = 0; k < kTurns && !ladder.is_solved(); ++k) {
+      ladder.newton_briefly(kSteepness);
+      ladder.pass(island, bound);
+    }
+    if (!ladder.is_solved()) pass_over_friction(island, bound, passes = guess);
+  }
   ladder.newton(guess, kSteepness);
   ladder.newton(passes, kSteepness);
   ladder.newton(0 * passes, 1);
   ladder.newton(r, 100);
   ladder.newton(2 * passes, 1);
   ladder.newton(passes / 2, 0.1);
-  if (friction == nullptr || ladder.residual() <= rough_friction(count, first)) return ladder.residual();
+  if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
   ladder.newton(trial, kSteepness);

@@ -11,9 +11,10 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr int kPatience = 15;                    // rounds within which the residual is to fall to half
+constexpr int kPatience = 15, kBrief = 3;        // rounds within which the residual is to fall to half
 constexpr int kMostSteps = 12, kMostHalves = 4;  // of a round, and of a step
 constexpr double kFirstSoftness = 1e-3;          // κ, relative to W, ...
+constexpr double kByResidual = 0.1, kLeastFirst = 1e-7;  // ... and near a solution to the residual too, ...
 constexpr double kLeastSoftness = 1e-9, kMostSoftness = 1;
 constexpr double kStiffer = 0.3, kSofter = 10;  // ... and how it changes
 constexpr int kSoon = 2;                        // steps of a round after which κ falls twice
@@ -38,6 +39,10 @@ IslandNewton::IslandNewton(const FrictionIsland& island, double bound)
     const Eigen::Matrix3d W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
     rows_[c].size = std::max(W.norm(), 1e-300);
     largest_ = std::max(largest_, W.diagonal().maxCoeff());
+    std::size_t* place = rows_[c].place.data();
+    for (const int i : {contact.a, contact.b}) {
+      for (const int j : {contact.a, contact.b}) *place++ = i < 0 || j < 0 ? 0 : factors_.place_of(i, j);
+    }
   }
 }
 
@@ -108,6 +113,20 @@ void IslandNewton::take_slope(std::size_t c, const Eigen::Vector3d& r) {
   row.by_y = row.inverse * B;
 }
 
+// Of a contact that is closed.
+void IslandNewton::add_slope(std::size_t c) {
+  const IslandContact& contact = island_.contacts[c];
+  const Row& row = rows_[c];
+  const std::size_t* place = row.place.data();
+  for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
+    const ContactSlope moved = *G * row.by_y;
+    for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
+      if (i >= 0 && j >= 0) factors_.add(*place, moved.lazyProduct(H->transpose()));
+      ++place;
+    }
+  }
+}
+
 // From r, which was looked at last.
 void IslandNewton::find_step(const Eigen::VectorXd& r) {
   factors_.set_identity();
@@ -118,16 +137,9 @@ void IslandNewton::find_step(const Eigen::VectorXd& r) {
     const Row& row = rows_[c];
     const Eigen::Vector3d by_F = row.inverse * row.F;
     step_.segment<3>(3 * static_cast<Eigen::Index>(c)) = -by_F;
-    const bool is_open = row.by_y(0, 0) == 0;
-    for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-      if (i < 0) continue;
-      y_.col(i).noalias() -= *G * by_F;
-      if (is_open) continue;
-      const ContactSlope moved = *G * row.by_y;
-      for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-        if (j >= 0) factors_.add(i, j, moved * H->transpose());
-      }
-    }
+    if (contact.a >= 0) y_.col(contact.a).noalias() -= contact.A_a * by_F;
+    if (contact.b >= 0) y_.col(contact.b).noalias() -= contact.A_b * by_F;
+    if (row.by_y(0, 0) != 0) add_slope(c);
   }
   factors_.factorize();
   factors_.solve(y_);
@@ -167,6 +179,17 @@ int IslandNewton::solve_soft(Eigen::VectorXd& r) {
 double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r) {
   steepness_ = steepness;
   softness_ = kFirstSoftness * largest_;
+  return go(enough, kPatience, r);
+}
+
+double IslandNewton::improve_briefly(double steepness, double enough, Eigen::VectorXd& r) {
+  steepness_ = steepness;
+  const double near = kByResidual * island_residual(island_, bound_, r);
+  softness_ = std::clamp(near, kLeastFirst, kFirstSoftness) * largest_;
+  return go(enough, kBrief, r);
+}
+
+double IslandNewton::go(double enough, int patience, Eigen::VectorXd& r) {
   Eigen::VectorXd here = r;
   velocities_.reset(island_, here);
   double best = island_residual(island_, bound_, here), gained = best;
@@ -183,7 +206,7 @@ double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r
       gained = best;
       gained_at = round;
     }
-    if (round > gained_at + kPatience) break;
+    if (round > gained_at + patience) break;
   }
   return best;
 }

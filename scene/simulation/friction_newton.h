@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "scene/simulation/body_factors.h"
@@ -35,20 +36,27 @@ class IslandNewton {
   /// slip by little are told from such that stick.
   double improve(double steepness, double enough, Eigen::VectorXd& r);
 
+  /// The same where r is near: by contacts that are the stiffer the nearer it is, and only while a few rounds
+  /// gain.
+  double improve_briefly(double steepness, double enough, Eigen::VectorXd& r);
+
  private:
   struct Row {
     double size = 0;  // ‖W of the contact‖
     Eigen::Vector3d u, F;
-    Eigen::Vector3d by_step;        // what a step adds to u
-    Eigen::Matrix3d inverse, by_y;  // (A + κ B)⁻¹ and that times B
+    Eigen::Vector3d by_step;             // what a step adds to u
+    Eigen::Matrix3d inverse, by_y;       // (A + κ B)⁻¹ and that times B
+    std::array<std::size_t, 4> place{};  // of the blocks aa, ab, ba, bb of its bodies
   };
 
   double look(const Eigen::VectorXd& r);
   double after(double share, const Eigen::VectorXd& r) const;
   Eigen::Vector3d lacks(std::size_t c, const Eigen::Vector3d& r, const Eigen::Vector3d& u) const;
   void take_slope(std::size_t c, const Eigen::Vector3d& r);
+  void add_slope(std::size_t c);
   void find_step(const Eigen::VectorXd& r);
   int solve_soft(Eigen::VectorXd& r);
+  double go(double enough, int patience, Eigen::VectorXd& r);
 
   const FrictionIsland& island_;
   double bound_, size_of_q_;

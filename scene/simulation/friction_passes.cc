@@ -12,13 +12,13 @@
 namespace raygauge {
 namespace {
 
-constexpr double kEnough = 1e-10;  // residual that ends the passes
 constexpr int kMostPasses = 600;
 constexpr double kGain = 0.5;        // passes go on while the residual falls so much ...
 constexpr int kPatience = 30;        // ... within so many of them, ...
+constexpr int kRough = 10;           // ... or within so many where a rough answer is enough, ...
 constexpr int kMore = 8;             // ... or within so many where it is small enough
-constexpr double kNear = 1e-8;       // a change, as a residual, from which on every pass is measured; ...
-constexpr int kFar = 8;              // ... of others every eighth
+constexpr double kNear = 100;        // times enough: a change, as a residual, from which on every pass ...
+constexpr int kFar = 8;              // ... is measured; of others every eighth
 constexpr Eigen::Index kMemory = 8;  // passes that are extrapolated
 constexpr double kWorse = 10;        // a pass that changes more than the best one by so much begins anew
 
@@ -137,8 +137,13 @@ class Extrapolation {
 /// Passes from r on until they gain nothing more; r is where the residual was least.
 class Descent {
  public:
-  Descent(const FrictionIsland& island, double bound, Eigen::VectorXd& r)
-      : island_(island), bound_(bound), size_of_q_(island.size_of_q()), passes_(island), r_(r) {}
+  Descent(const FrictionIsland& island, double bound, Eigen::VectorXd& r, double enough)
+      : island_(island),
+        bound_(bound),
+        size_of_q_(island.size_of_q()),
+        enough_(enough),
+        passes_(island),
+        r_(r) {}
 
   double go() {
     if (!(size_of_q_ > 0)) {
@@ -146,7 +151,7 @@ class Descent {
       return 0;
     }
     begin();
-    if (!(best_ > kEnough)) return best_;
+    if (!(best_ > enough_)) return best_;
     pass();
     velocities_.reset(island_, r_);  // passes have them but for rounding
     return residual(r_);
@@ -177,7 +182,7 @@ class Descent {
     Extrapolation extrapolation;
     Eigen::VectorXd here = r_;
     double last = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < kMostPasses && best_ > kEnough; ++k) {
+    for (int k = 0; k < kMostPasses && best_ > enough_; ++k) {
       const double size = pass_from(k, here);
       if (!(size > 0) || has_stalled(k)) break;
       if (size <= kWorse * last) {
@@ -197,7 +202,7 @@ class Descent {
     passes_.pass(velocities_, g_);
     f_ = g_ - here;
     const double size = f_.norm();
-    if (size > kNear * step_of(bound_) * size_of_q_ && k % kFar != kFar - 1) return size;
+    if (size > kNear * enough_ * step_of(bound_) * size_of_q_ && k % kFar != kFar - 1) return size;
     const double residual = this->residual(g_);
     if (residual < best_) {
       best_ = residual;
@@ -210,10 +215,13 @@ class Descent {
     return size;
   }
 
-  bool has_stalled(int k) const { return k > gained_at_ + (best_ > kSolvedFriction ? kPatience : kMore); }
+  bool has_stalled(int k) const {
+    const int patience = enough_ > kSolvedFriction ? kRough : best_ > kSolvedFriction ? kPatience : kMore;
+    return k > gained_at_ + patience;
+  }
 
   const FrictionIsland& island_;
-  double bound_, size_of_q_;
+  double bound_, size_of_q_, enough_;
   Passes passes_;
   IslandVelocities velocities_;
   Eigen::VectorXd& r_;
@@ -224,8 +232,8 @@ class Descent {
 
 }  // namespace
 
-double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r) {
-  return Descent(island, bound, r).go();
+double pass_over_friction(const FrictionIsland& island, double bound, Eigen::VectorXd& r, double enough) {
+  return Descent(island, bound, r, enough).go();
 }
 
 }  // namespace raygauge

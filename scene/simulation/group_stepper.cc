@@ -191,7 +191,7 @@ bool GroupStepper::bounce() {
   ++counters_.impact_problems;
   save(free_);
   const double residual = problem_.solve(contacts, bodies_);
-  if (!problem_.jammed().empty()) {  // the substep will tell
+  if (problem_.jams()) {  // the substep will tell
     restore(free_);
     roles_.end_bounces();
     return false;
@@ -213,20 +213,12 @@ bool GroupStepper::move(double dt) {
   for (int trial = 0; trial < kMostTrials; ++trial) {
     restore(before_);
     if (stop_()) return true;  // nothing was done
-    bool possible = push_and_move(dt);
-    while (possible && catch_closing(dt)) {
-      restore(before_);
-      possible = push_and_move(dt);
-    }
-    for (int k = 0; possible && k < kMostCorrections && corrected(dt); ++k) {
-      restore(before_);
-      possible = push_and_move(dt);
-    }
-    if (!possible) {
+    if (!settle(dt)) {
       dt /= 2;
       restore(before_);
-      if (jams() && dt < kShortest * dynamics_.step) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
-      if (jams()) bent_dt_ = dt;
+      if (problem_.jams() && dt < kShortest * dynamics_.step)
+        refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+      if (problem_.jams()) bent_dt_ = dt;
       roles_.choose(*near_, dt);  // what was asked of the longer one is no longer
       continue;
     }
@@ -244,16 +236,32 @@ bool GroupStepper::move(double dt) {
     restore(before_);
     roles_.choose(*near_, dt);
   }
-  if (jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+  if (problem_.jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
   move_unproven(std::min(asked, kUnproven * dynamics_.step));
   return false;
+}
+
+// The impulses and motions over dt, with all pairs that they bring together, first of them roughly. False:
+// see push_and_move().
+bool GroupStepper::settle(double dt) {
+  int corrections = 0;
+  for (const bool roughly : {true, false}) {
+    if (!push_and_move(dt, roughly)) return false;
+    while (catch_closing(dt) || (corrections < kMostCorrections && ++corrections > 0 && corrected(dt))) {
+      restore(before_);
+      if (!push_and_move(dt, roughly)) return false;
+    }
+    if (!problem_.is_rough()) return true;
+    restore(before_);
+  }
+  return true;
 }
 
 void GroupStepper::move_unproven(double dt) {
   bent_dt_ = kInfinity;
   restore(before_);
-  for (int trial = 0; !push_and_move(dt); ++trial) {
-    if (trial == kMostTrials && jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
+  for (int trial = 0; !push_and_move(dt, false); ++trial) {
+    if (trial == kMostTrials && problem_.jams()) refuse_jam(problem_.jammed(), bodies_, parts_, t_);
     if (trial == kMostTrials)
       throw Error("simulation: at " + std::to_string(t_) + " s a body spins too fast");
     dt /= 2;

@@ -57,14 +57,14 @@ class GroupStepper {
   void restore(const std::vector<SimulatedBody>& from) { copy_active(from, bodies_); }
   bool go_on(double to);
   double longest_substep(double to) const;
-  bool jams() const { return !contacts_.empty() && !problem_.jammed().empty(); }
   void follow_motion(int number);
   bool bounce();
   bool move(double dt);
   void move_unproven(double dt);
   double end_of(double dt) const;
   double shorter_than(double dt, double proven, int trial);
-  bool push_and_move(double dt);
+  bool settle(double dt);
+  bool push_and_move(double dt, bool roughly);
   bool catch_closing(double dt);
   bool corrected(double dt);
   double correction(const NearPair& pair, double dt, PairTools& tools);

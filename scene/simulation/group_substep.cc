@@ -71,7 +71,7 @@ bool give_motion(SimulatedBody& body, const SimulatedBody& before, double t, dou
 
 // Forces, impulses, then the motions over dt. False where a body turns too far for
 // one, or is jammed.
-bool GroupStepper::push_and_move(double dt) {
+bool GroupStepper::push_and_move(double dt, bool roughly) {
   for (const int b : active_) accelerate(dynamics_, dt, body(b), counters_);
   save(free_);
   contacts_.clear();
@@ -88,8 +88,8 @@ bool GroupStepper::push_and_move(double dt) {
                            last_.guess(pair, point, kSamePoint * body(pair.a).reach, dt)});
     }
   }
-  residual_ = contacts_.empty() ? 0 : problem_.solve(contacts_, bodies_);
-  if (jams()) return false;
+  residual_ = problem_.solve(contacts_, bodies_, roughly);
+  if (problem_.jams()) return false;
   last_.remember(contacts_, dt);
   pushed_.assign(bodies_.size(), false);
   for (const ContactUnknown& contact : contacts_) {

@@ -24,9 +24,10 @@ void ImpulseMemory::remember(const std::vector<ContactUnknown>& contacts, double
 Eigen::Vector3d ImpulseMemory::guess(const NearPair& pair, const GapPoint& point, double near,
                                      double dt) const {
   const auto [first, end] = std::equal_range(contacts_.begin(), contacts_.end(), pair, kByBodies);
-  const auto before =
-      std::find_if(first, end, [&](const ContactUnknown& one) { return (one.at - point.at).norm() < near; });
-  if (before == end) return Eigen::Vector3d::Zero();
+  const auto away = [&point](const ContactUnknown& one) { return (one.at - point.at).squaredNorm(); };
+  const auto before = std::min_element(
+      first, end, [&](const auto& one, const auto& other) { return away(one) < away(other); });
+  if (before == end || !(away(*before) < near * near)) return Eigen::Vector3d::Zero();
   return std::min(1.0, dt / dt_) * before->impulse;
 }
 

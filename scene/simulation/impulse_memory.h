@@ -16,8 +16,8 @@ class ImpulseMemory {
   void remember(const std::vector<ContactUnknown>& contacts, double dt);
 
   /// The impulse at this point of the pair in the problem before, of the last substep or as this one was
-  /// asked first; of a shorter time a smaller one, as blows do not grow with it. Points within `near` are the
-  /// same; 0 where there was none.
+  /// asked first; of a shorter time a smaller one, as blows do not grow with it. The nearest point within
+  /// `near` is the same; 0 where there was none.
   Eigen::Vector3d guess(const NearPair& pair, const GapPoint& point, double near, double dt) const;
 
   /// By their bodies.

@@ -145,7 +145,7 @@ const std::vector<CandidatePair*>& PartSweep::sweep(double t, double dt, double 
 // Which candidates may come closer than `beyond` within their travels: of parts whose boxes meet, in the
 // order of candidates_.
 const std::vector<CandidatePair*>& PartSweep::sweep(double beyond) {
-  order_ = scope_;
+  boxes_.clear();
   for (const int i : scope_) {
     Swept& one = swept_[static_cast<std::size_t>(i)];
     one.middle = middle(i);
@@ -156,19 +156,19 @@ const std::vector<CandidatePair*>& PartSweep::sweep(double beyond) {
     const double reach = (radius + one.travel + beyond + 1e-11 * size) * kOutward;
     const bool bounded = std::isfinite(reach);
     const Eigen::AlignedBox3d box = standing ? *standing : Eigen::AlignedBox3d(one.middle);
-    one.low = bounded ? Eigen::Vector3d(box.min().array() - reach) : Eigen::Vector3d::Constant(-kInfinity);
-    one.high = bounded ? Eigen::Vector3d(box.max().array() + reach) : Eigen::Vector3d::Constant(kInfinity);
+    boxes_.push_back(
+        {bounded ? Eigen::Vector3d(box.min().array() - reach) : Eigen::Vector3d::Constant(-kInfinity),
+         bounded ? Eigen::Vector3d(box.max().array() + reach) : Eigen::Vector3d::Constant(kInfinity), i});
   }
-  const auto swept = [this](int i) -> const Swept& { return swept_[static_cast<std::size_t>(i)]; };
-  std::sort(order_.begin(), order_.end(),
-            [&swept](int i, int j) { return std::pair(swept(i).low[0], i) < std::pair(swept(j).low[0], j); });
+  std::sort(boxes_.begin(), boxes_.end(), [](const SweptBox& one, const SweptBox& other) {
+    return std::pair(one.low[0], one.part) < std::pair(other.low[0], other.part);
+  });
   may_meet_.clear();
-  for (std::size_t i = 0; i < order_.size(); ++i) {
-    const Swept& one = swept(order_[i]);
-    for (std::size_t j = i + 1; j < order_.size() && swept(order_[j]).low[0] <= one.high[0]; ++j) {
-      const Swept& other = swept(order_[j]);
-      if ((other.low.array() > one.high.array() || one.low.array() > other.high.array()).any()) continue;
-      CandidatePair* candidate = find(order_[i], order_[j]);
+  for (auto one = boxes_.begin(); one != boxes_.end(); ++one) {
+    for (auto other = one + 1; other != boxes_.end() && other->low[0] <= one->high[0]; ++other) {
+      if (other->low[1] > one->high[1] || one->low[1] > other->high[1]) continue;
+      if (other->low[2] > one->high[2] || one->low[2] > other->high[2]) continue;
+      CandidatePair* candidate = find(one->part, other->part);
       if (candidate != nullptr && may_meet(*candidate, beyond)) may_meet_.push_back(candidate);
     }
   }

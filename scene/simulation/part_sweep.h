@@ -22,7 +22,6 @@ class PartSweep {
   struct Swept {
     Eigen::Vector3d middle;
     double travel = 0;
-    Eigen::Vector3d low, high;  // of a box around the ball and its way
   };
 
   /// All candidates of a scene. Everything must outlive it.
@@ -61,6 +60,12 @@ class PartSweep {
   double travel(int part, double t, double dt) const;
 
  private:
+  // Around the ball of a part and its way.
+  struct SweptBox {
+    Eigen::Vector3d low, high;
+    int part;
+  };
+
   const SimulatedPart& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
   void number_candidates();
   Eigen::Vector3d middle(int part) const;
@@ -78,7 +83,7 @@ class PartSweep {
   std::vector<int> scope_;                     // parts of the members
   std::vector<Swept> swept_;                   // of each part
   std::vector<std::optional<Eigen::AlignedBox3d>> standing_;  // around each part that stands
-  std::vector<int> order_;                                    // of the parts, by where their boxes begin
+  std::vector<SweptBox> boxes_;                               // by where they begin
   std::vector<CandidatePair*> may_meet_;                      // of the last sweep
 };
 

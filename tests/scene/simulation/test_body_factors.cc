@@ -22,7 +22,7 @@ TEST(BodyFactors, solutions_are_those_of_the_dense_matrix) {
       Eigen::MatrixXd dense = Eigen::MatrixXd::Identity(150, 150);
       const auto add = [&](Eigen::Index i, Eigen::Index j, const BodyFactors::Block& block) {
         if (i < 0 || j < 0) return;
-        factors.add(static_cast<int>(i), static_cast<int>(j), block);
+        factors.add(factors.place_of(static_cast<int>(i), static_cast<int>(j)), block);
         dense.block<6, 6>(6 * i, 6 * j) += block;
       };
       for (const IslandContact& contact : island.contacts) {

@@ -28,5 +28,20 @@ TEST(FrictionLadder, heaps_with_much_friction_are_solved) {
   EXPECT_EQ(by_all, kTrials);
 }
 
+// From where rough answers end, to rounding.
+TEST(FrictionLadder, many_contacts_are_solved_roughly_and_from_there_to_the_end) {
+  small_islands::Random random(4);
+  for (int trial = 0; trial < 10; ++trial) {
+    const FrictionIsland island = small_islands::heap(80, static_cast<int>(kManyContacts) + 60, 0.5, random);
+    const double bound = island.bound_of_W();
+    Eigen::VectorXd r = small_islands::zeros(island);
+    const double rough = solve_friction(island, nullptr, r, true);
+    EXPECT_EQ(rough, island_residual(island, bound, r));
+    EXPECT_LE(rough, kMostRough);
+    EXPECT_GT(rough, kPassedFriction);
+    EXPECT_LE(solve_friction(island, nullptr, r), enough_friction(island.contacts.size(), false));
+  }
+}
+
 }  // namespace
 }  // namespace raygauge::test_friction_ladder

@@ -114,6 +114,25 @@ TEST(HardMotions, a_heap_without_rebounds_needs_few_cuts) {
   EXPECT_LE(substeps_of(found), 1.2 * static_cast<double>(found.steps.size()));
 }
 
+// A plate turns about its middle above a ball: where they are nearest nothing closes, and yet its turn of a
+// tenth of a radian brings it there by half of H φ².
+TEST(HardMotions, a_plate_that_turns_into_a_ball_within_a_step_joins_its_problem_and_cuts_nothing) {
+  constexpr double kStep = 1e-2, kSpin = 10, kHeight = 0.5;  // of the plate's middle above the ball's
+  constexpr double kGap = kHeight * kSpin * kSpin * kStep * kStep / 4;
+  Reacting all(kStep);
+  all.add(box(0.5, 0.4, 0.1), v(0, 0, kHeight), 1);
+  all.dynamics.bodies.back().spin = v(0, kSpin, 0);
+  all.add(ball(kHeight - 0.1 - kGap), v(0, 0, 0), 1);
+  all.dynamics.contact = ContactLaw{};
+  all.dynamics.step = kStep;
+  all.dynamics.tolerance = 1e-4;
+  const Simulation found = simulate(all.scene, all.dynamics, nullptr);
+  ASSERT_EQ(found.steps.size(), 1U);
+  EXPECT_EQ(found.steps[0].substeps, 1);
+  EXPECT_GT(found.steps[0].contacts, 0);
+  EXPECT_GE(found.steps[0].least_distance, -found.tolerance);
+}
+
 // Of a half-space nothing is proven but across its own normal.
 TEST(HardMotions, a_fast_body_that_does_not_rebound_arrives_on_a_half_space_at_the_end_of_a_step) {
   Reacting scene(0.1);
