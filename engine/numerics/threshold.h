@@ -16,9 +16,8 @@ class Threshold {
  public:
   explicit constexpr Threshold(Value value) noexcept : value_(value) {}
 
-  operator Value() const noexcept {
-    return value_;
-  }  // NOLINT(google-explicit-constructor): it stands for one
+  /// It stands for one.
+  operator Value() const noexcept { return value_; }  // NOLINT(google-explicit-constructor)
 
  private:
   friend class bench::TunedThreshold;
