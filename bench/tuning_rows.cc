@@ -220,12 +220,12 @@ TunedMethod spatial() {
   const std::vector<std::pair<std::string, std::string>> curved = {
       {"ellipsoid", "ellipsoid"}, {"cylinder", "cylinder"}, {"cylinder", "ellipsoid"}, {"hull 8", "pointed"}};
   const std::vector<std::pair<std::string, std::string>> hulls = {
-      {"hull 20", "hull 200"}, {"hull 200", "hull 200"}, {"hull 200", "hull 2000"}};
+      {"box", "hull 2000"}, {"hull 200", "hull 200"}, {"hull 200", "hull 2000"}, {"hull 2000", "hull 2000"}};
   const Workload near = pairs(curved, "1e-4", PairAsk::distance),
                  far = pairs(curved, "apart", PairAsk::distance);
   const Workload growths = pairs(curved, "apart", PairAsk::growth),
                  facets = pairs(hulls, "1e-4", PairAsk::distance);
-  const std::string of_near = "curved, 1e-4 apart", of_hulls = "hulls of 20 to 2000, 1e-4 apart";
+  const std::string of_near = "curved, 1e-4 apart", of_hulls = "hulls of 200 to 2000, 1e-4 apart";
   return {
       "spatial",
       {{{"kLongestContactStep", tuned::kLongestContactStep}, {0.12, 0.25, 1, 2}, of_near, near},
@@ -233,11 +233,11 @@ TunedMethod spatial() {
        {{"kLongerContactStep", tuned::kLongerContactStep}, {1, 1.5, 4, 8}, of_near, near},
        {{"kNearCurved", tuned::kNearCurved}, {3e-3, 1e-2, 0.1, 0.3}, of_near, near},
        {{"kNearCurved", tuned::kNearCurved}, {3e-3, 1e-2, 0.1, 0.3}, "curved, apart", far},
-       {{"kNearFacets", tuned::kNearFacets}, {2e-3, 6e-3, 6e-2, 0.2}, of_hulls, facets},
+       {{"kNearFacets", tuned::kNearFacets}, {6e-3, 2e-2, 6e-2, 0.3}, of_hulls, facets},
        {{"kTouchingFacets", tuned::kTouchingFacets}, {1e-9, 1e-7, 1e-5, 1e-4}, of_hulls, facets},
        {{"kFewPointsOfHulls", tuned::kFewPointsOfHulls}, {30, 100, 1000, 4000}, of_hulls, facets},
        {{"kFewPointsFromStart", tuned::kFewPointsFromStart},
-        {100, 500, 4000, 20000},
+        {100, 500, 2000, 20000},
         of_hulls + ", warm",
         pairs(hulls, "1e-4", PairAsk::warm)},
        {{"kLongestGrowthStep", tuned::kLongestGrowthStep}, {0.2, 0.4, 1.2, 2.5}, "curved, growth", growths},

@@ -26,7 +26,7 @@ namespace raygauge::bench {
 namespace {
 
 constexpr int kInstances = 4;  // of a cell
-constexpr int kPairs = 6;      // of two kinds
+constexpr int kPairs = 60;     // of two kinds
 constexpr int kDirections = 256;
 
 using Random = std::mt19937_64;

@@ -19,12 +19,12 @@ inline constinit const Threshold<double> kLongerContactStep{2};
 inline constinit const Threshold<double> kNearCurved{3e-2};
 
 /// The same of hulls, which the portal takes over, and where they are so near that GJK goes on.
-inline constinit const Threshold<double> kNearFacets{2e-2};
+inline constinit const Threshold<double> kNearFacets{0.1};
 inline constinit const Threshold<double> kTouchingFacets{1e-6};
 
 /// Points of two hulls whose facets GJK finds as fast as the portal does; and where it begins near them.
 inline constinit const Threshold<std::ptrdiff_t> kFewPointsOfHulls{300};
-inline constinit const Threshold<std::ptrdiff_t> kFewPointsFromStart{2000};
+inline constinit const Threshold<std::ptrdiff_t> kFewPointsFromStart{3000};
 
 /// Radians that a step of Newton's method for the growth distance may turn the normal by.
 inline constinit const Threshold<double> kLongestGrowthStep{0.7};
