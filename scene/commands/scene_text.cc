@@ -217,7 +217,7 @@ std::string simulations_text(const SimulationTables& tables, bool contact) {
   const SimulationRow& row = tables.simulations.front();
   std::string text = counted(row.steps, "step") + " in " + duration_text(row.seconds) + "; " +
                      counted(row.impacts, "impact") + ", " + counted(row.cuts, "cut") + ", " +
-                     counted(tables.contacts.size(), "contact") + "\n";
+                     counted(row.contacts, "contact") + "\n";
   if (!contact) text += "  contact    not asked for: bodies pass through each other\n";
   if (contact) text += "  proven     no pair closer than " + short_text(row.least_distance) + " at any time";
   if (contact && row.unproven > 0) text += ", but for " + counted(row.unproven, "step");
