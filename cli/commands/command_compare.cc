@@ -24,6 +24,7 @@
 #include "results/run/results_file.h"
 #include "results/text/language.h"
 #include "results/text/words.h"
+#include "scene/file/scene_file.h"
 
 namespace raygauge::cli {
 namespace {
@@ -109,6 +110,8 @@ std::vector<ResultsFile> read_side(const std::vector<std::string>& paths,
   std::set<std::filesystem::path> seen;
   std::vector<ResultsFile> files;
   for (const std::string& path : paths) {
+    if (is_scene_file(path))
+      throw InvalidParameterError(path + ": holds the results of a scene; compare takes those of sweeps");
     files.push_back(read_results(path));
     note_checksum(path, files.back().provenance.has_checksum);
     if (!seen.insert(std::filesystem::weakly_canonical(path)).second)

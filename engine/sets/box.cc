@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "engine/numerics/number_text.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
 #include "raygauge/exceptions.h"
@@ -20,8 +21,8 @@ Box::Box(const ConstVectorRef& lower, const ConstVectorRef& upper)
   for (int k = 0; k < dimension(); ++k) {
     if (lower_[k] > upper_[k]) {
       throw InvalidParameterError("box: coordinate " + std::to_string(k) + " of lower, " +
-                                  std::to_string(lower_[k]) + ", must not exceed that of upper, " +
-                                  std::to_string(upper_[k]));
+                                  shortest_text(lower_[k]) + ", must not exceed that of upper, " +
+                                  shortest_text(upper_[k]));
     }
   }
   SpatialShape shape;

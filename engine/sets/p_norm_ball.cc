@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/numerics/floating_point.h"
+#include "engine/numerics/number_text.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/place_shape.h"
@@ -18,7 +19,7 @@ namespace {
 
 double checked_exponent(double p) {
   if (std::isnan(p)) throw NonFiniteError("p-norm ball: p must be a number, got nan");
-  if (p < 1) throw InvalidParameterError("p-norm ball: p must be at least 1, got " + std::to_string(p));
+  if (p < 1) throw InvalidParameterError("p-norm ball: p must be at least 1, got " + shortest_text(p));
   return p;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/numerics/number_text.h"
 #include "engine/numerics/vector_kernels.h"
 #include "engine/sets/parameters.h"
 #include "raygauge/exceptions.h"
@@ -20,8 +21,8 @@ void check_along_axis(const SupportMappingSet::Mapping& mapping, const Vector& c
   checked_finite("support mapping set", name, point);
   if (sign * center[k] > sign * point[k]) {
     throw InvalidParameterError("support mapping set: center lies outside the set: its coordinate " +
-                                std::to_string(k) + " is " + std::to_string(center[k]) + ", the " + name +
-                                " gives " + std::to_string(point[k]));
+                                std::to_string(k) + " is " + shortest_text(center[k]) + ", the " + name +
+                                " gives " + shortest_text(point[k]));
   }
 }
 

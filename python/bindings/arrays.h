@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "raygauge/exceptions.h"
 #include "raygauge/sets/convex_set.h"
 
 namespace raygauge::python {
@@ -64,6 +65,17 @@ py::array_t<double> readonly_array(const Vector& vector);
 
 /// The type's name and, of an array, its dtype and shape: "an array of <U3, shape (2, 3)".
 std::string described(py::handle object);
+
+/// What stands under `key`, as a T. Throws InvalidParameterError where it is none.
+template <class T>
+T value_of(const py::dict& given, const char* key) {
+  const py::object value = given[key];
+  try {
+    return value.cast<T>();
+  } catch (const py::cast_error& /*error*/) {
+    throw InvalidParameterError(std::string(key) + " cannot be " + py::repr(value).cast<std::string>());
+  }
+}
 
 }  // namespace raygauge::python
 

@@ -99,7 +99,7 @@ Body body_of(const py::dict& body, double start) {
   for (const py::handle part : body["parts"]) parts.push_back(as_set(part, "parts"));
   if (parts.empty()) throw EmptySetError("parts: a body needs one");
   const int n = parts.front()->dimension();
-  return make_body(body["name"].cast<std::string>(), parts, motion_of(body, n, start));
+  return make_body(value_of<std::string>(body, "name"), parts, motion_of(body, n, start));
 }
 
 namespace {
@@ -112,18 +112,18 @@ SceneEffects effects_of(const std::vector<std::string>& names) {
 
 SceneQuery query_of(const py::dict& asked) {
   SceneQuery query;
-  query.name = asked["name"].cast<std::string>();
-  query.group_1 = asked["group_1"].cast<std::vector<int>>();
-  query.group_2 = asked["group_2"].cast<std::vector<int>>();
-  query.effects = effects_of(asked["effects"].cast<std::vector<std::string>>());
+  query.name = value_of<std::string>(asked, "name");
+  query.group_1 = value_of<std::vector<int>>(asked, "group_1");
+  query.group_2 = value_of<std::vector<int>>(asked, "group_2");
+  query.effects = effects_of(value_of<std::vector<std::string>>(asked, "effects"));
   if (const py::object metric = asked["metric"]; !metric.is_none()) query.metric.Q = as_set(metric, "metric");
-  query.metric.body = asked["metric_body"].cast<int>();
-  query.within = asked["within"].cast<double>();
-  query.nearest = asked["nearest"].cast<int>();
-  query.tolerance = asked["tolerance"].cast<double>();
-  query.contact = asked["contact"].cast<double>();
-  query.clearance_tolerance = asked["clearance_tolerance"].cast<double>();
-  query.every_instant = asked["every_instant"].cast<bool>();
+  query.metric.body = value_of<int>(asked, "metric_body");
+  query.within = value_of<double>(asked, "within");
+  query.nearest = value_of<int>(asked, "nearest");
+  query.tolerance = value_of<double>(asked, "tolerance");
+  query.contact = value_of<double>(asked, "contact");
+  query.clearance_tolerance = value_of<double>(asked, "clearance_tolerance");
+  query.every_instant = value_of<bool>(asked, "every_instant");
   return query;
 }
 

@@ -23,8 +23,8 @@ namespace {
 using py::literals::operator""_a;
 
 std::optional<double> number_of(const py::dict& given, const char* key) {
-  const py::object value = given.contains(key) ? py::object(given[key]) : py::none();
-  return value.is_none() ? std::nullopt : std::optional(value.cast<double>());
+  if (!given.contains(key) || given[key].is_none()) return std::nullopt;
+  return value_of<double>(given, key);
 }
 
 Eigen::Vector3d vector_of(py::handle object, int n, const char* name) {
@@ -97,9 +97,9 @@ Dynamics dynamics_of(const Scene& scene, const py::list& bodies, const py::dict&
   }
   for (const auto& [first, second, law] : effects["pairs"].cast<Groups>())
     dynamics.pairs.push_back({first, second, law_of(law)});
-  dynamics.step = effects["step"].cast<double>();
-  dynamics.tolerance = effects["tolerance"].cast<double>();
-  const auto overlap = effects["overlap_at_start"].cast<std::string>();
+  dynamics.step = value_of<double>(effects, "step");
+  dynamics.tolerance = value_of<double>(effects, "tolerance");
+  const auto overlap = value_of<std::string>(effects, "overlap_at_start");
   if (overlap != "refuse" && overlap != "resolve")
     throw InvalidParameterError("overlap_at_start must be 'refuse' or 'resolve', got '" + overlap + "'");
   if (overlap == "resolve") dynamics.overlap_at_start = StartOverlap::resolved;

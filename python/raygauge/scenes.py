@@ -134,7 +134,7 @@ class Scene:
         density: float | None = None,
         mass: float | None = None,
         inertia: ArrayLike | None = None,
-        groups: Iterable[str] = (),
+        groups: Iterable[str] | str = (),
     ) -> None:
         """Adds a rigid body: a set, an array of points, or a list of sets whose union it is.
 
@@ -159,7 +159,7 @@ class Scene:
             raise InvalidParameterError(f"body '{name}': a body that reacts follows no motion; it has a first velocity and spin")
         is_list = isinstance(parts, (list, tuple)) and any(isinstance(part, ConvexSet) for part in parts)
         self._groups[name] = [len(self._bodies)]
-        for group in groups:
+        for group in [groups] if isinstance(groups, str) else groups:
             self._groups.setdefault(group, []).append(len(self._bodies))
         self._bodies.append(
             {"name": name, "parts": _kept(parts if is_list else [parts]), "pose": _kept(pose), "times": _kept(times), "poses": _kept(poses),
@@ -195,7 +195,7 @@ class Scene:
 
     def add_query(
         self,
-        effects: Iterable[Effect],
+        effects: Iterable[Effect] | Effect,
         *,
         between: tuple[str, str] | str | None = None,
         name: str | None = None,
@@ -218,10 +218,12 @@ class Scene:
         Raises UnknownNameError; other mistakes are raised by run.
         """
         pair = (between, between) if isinstance(between, str) else between
+        if pair is not None and len(pair) != 2:
+            raise InvalidParameterError(f"between: a body or group, or two of them, got {between!r}")
         everyone = list(range(len(self._bodies)))
         groups = [everyone, everyone] if pair is None else [self._members(group) for group in pair]
         self._queries.append(
-            {"name": name or f"query {len(self._queries) + 1}", "effects": list(effects), "group_1": groups[0],
+            {"name": name or f"query {len(self._queries) + 1}", "effects": [effects] if isinstance(effects, str) else list(effects), "group_1": groups[0],
              "group_2": groups[1], "metric": _kept(metric), "metric_body": -1 if metric_body is None else self._members(metric_body)[0],
              "within": within, "nearest": nearest, "tolerance": tolerance, "contact": contact,
              "clearance_tolerance": clearance_tolerance, "every_instant": every_instant}

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from . import _raygauge
-from ._raygauge import Error, UnknownNameError
+from ._raygauge import Error, InvalidParameterError, UnknownNameError
 from .scenes import Columns, Scene, SceneAnswers
 
 
@@ -60,6 +60,8 @@ def simulation_of(found: Mapping[str, Any], bodies: Sequence[str], queries: Sequ
 
 def checked(given: Mapping[str, float] | None, name: str, known: tuple[str, ...]) -> dict[str, float] | None:
     """The numbers, none of them under a name that has no effect."""
+    if given is not None and not isinstance(given, Mapping):
+        raise InvalidParameterError(f"{name}: a dict is needed, got {given!r}")
     for key in given or ():
         if key not in known:
             raise UnknownNameError(f"{name}: no effect is called '{key}'; known: {', '.join(known)}")
@@ -98,6 +100,9 @@ def simulate(
     >>> bool(min(found.steps["least_distance"]) >= -found.tolerance)
     True
     """
+    pairs = list(pairs)
+    if any(len(pair) != 3 or pair[2] is None for pair in pairs):
+        raise InvalidParameterError("pairs: each is a body or group, another, and their contact; Scene.ignore leaves pairs out")
     effects = {
         "gravity": gravity, "contact": checked(contact, "contact", ("friction", "restitution")),
         "damping": checked(damping, "damping", ("linear", "angular")), "step": step, "tolerance": tolerance,

@@ -42,6 +42,31 @@ std::string line_of(const SceneFile& file, const SceneEvent& event) {
          event.text + "\n";
 }
 
+std::string simulated_lines(const SimulationTables& tables) {
+  std::string text;
+  for (const SimulationRow& row : tables.simulations) {
+    text += "  simulated by " + language::printable(row.engine) + ": " + counted(row.steps, "step") +
+            " of at most " + number(row.step) + " s, " + counted(row.impacts, "impact") + ", " +
+            counted(row.cuts, "cut");
+    if (row.least_distance < 0)
+      text += "; proven: no pair closer than " + number(row.least_distance) +
+              (row.unproven > 0 ? ", but for " + counted(row.unproven, "step") : "");
+    text += '\n';
+  }
+  return text;
+}
+
+Json simulations_json(const SimulationTables& tables) {
+  Json all = Json::array();
+  for (const SimulationRow& row : tables.simulations) {
+    Json one;
+    for (const Column<SimulationRow>& column : simulation_columns())
+      std::visit([&](const auto& value) { one[column.name] = value; }, column.get(row));
+    all.push_back(one);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string tally_text(const SceneFile& file) {
@@ -73,16 +98,19 @@ std::string event_text(const SceneFile& file) {
 
 std::string scene_info_text(const std::string& path, const SceneFile& file) {
   std::string text = path + ": results of the scene '" + language::printable(file.name) + "'\n";
-  text += "  " + std::to_string(file.cells.size()) + " of " + counted(file.cell_count, "cell") + ", " +
-          counted(file.records.size(), "record") + ", " + counted(file.bodies.size(), "body", "bodies") +
-          ", " + counted(file.queries.size(), "query", "queries") + "\n";
+  text += "  " + counted(file.bodies.size(), "body", "bodies") + ", " +
+          counted(file.queries.size(), "query", "queries");
+  if (!file.queries.empty())
+    text += ", " + std::to_string(file.cells.size()) + " of " + counted(file.cell_count, "cell") + ", " +
+            counted(file.records.size(), "record");
+  text += "\n" + (file.simulation ? simulated_lines(*file.simulation) : "");
   for (const Session& session : file.sessions) {
     text += "  session started " + language::printable(session.started_at) + ", " +
             counted(session.threads, "thread") + ", commit " + language::printable(session.build.git_commit) +
             ", " + language::printable(session.machine.cpu_model) + "\n";
   }
   if (!file.has_checksum) text += std::string("  ") + kNoChecksum + "\n";
-  return text + tally_text(file);
+  return file.queries.empty() ? text : text + tally_text(file);
 }
 
 Json scene_info_json(const std::string& path, const SceneFile& file) {
@@ -107,6 +135,7 @@ Json scene_info_json(const std::string& path, const SceneFile& file) {
     }
     json["queries"].push_back(query);
   }
+  if (file.simulation) json["simulations"] = simulations_json(*file.simulation);
   const SceneCounters counters = counters_of(file);
   for (const Column<SceneCellRow>& column : scene_cell_columns()) {
     if (column.type == ValueType::int64)
@@ -188,7 +217,7 @@ std::string simulations_text(const SimulationTables& tables, bool contact) {
   const SimulationRow& row = tables.simulations.front();
   std::string text = counted(row.steps, "step") + " in " + duration_text(row.seconds) + "; " +
                      counted(row.impacts, "impact") + ", " + counted(row.cuts, "cut") + ", " +
-                     counted(tables.contacts.size(), "contact") + "\n";
+                     counted(row.contacts, "contact") + "\n";
   if (!contact) text += "  contact    not asked for: bodies pass through each other\n";
   if (contact) text += "  proven     no pair closer than " + short_text(row.least_distance) + " at any time";
   if (contact && row.unproven > 0) text += ", but for " + counted(row.unproven, "step");

@@ -25,7 +25,8 @@ std::string short_number(double x) {
   return text;
 }
 
-constexpr double kLargest = 1e60;  // squares and products of a few stay finite
+constexpr double kLargest = 1e60;    // squares and products of a few stay finite
+constexpr double kMostSteps = 1e15;  // are counted exactly, and far more than any computer takes
 
 bool is_ordinary(double x) { return x >= 1 / kLargest && x <= kLargest; }
 
@@ -98,6 +99,8 @@ BodyDynamics reacting_body(const Body& body, std::optional<double> mass, std::op
                            const std::optional<Eigen::Matrix3d>& inertia) {
   if (mass.has_value() == density.has_value())
     refuse("body '" + body.name + "' needs a mass or a density, not both");
+  if (!(mass.value_or(1) > 0 && density.value_or(1) > 0))
+    refuse("body '" + body.name + "': mass and density must be positive");
   std::vector<std::shared_ptr<const ConvexSet>> parts;
   for (const BodyPart& part : body.parts) parts.push_back(part.set);
   const Moments moments = moments_of(parts);
@@ -155,13 +158,16 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
     }
   }
   if (!(dynamics.step > 0 && std::isfinite(dynamics.step))) refuse("step must be positive");
+  if (!((scene.instants.back() - scene.instants.front()) / dynamics.step < kMostSteps))
+    refuse("step is too short: the time of the scene has more than 1e15 of them");
   bool any = false;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     check_body(scene.bodies[b], dynamics.bodies[b], n, dynamics.step);
     any = any || dynamics.bodies[b].reacts();
   }
   if (!any) refuse("no body reacts; give one a density or a mass");
-  if (dynamics.gravity && !dynamics.gravity->allFinite()) refuse("gravity is not finite");
+  if (dynamics.gravity && !(dynamics.gravity->norm() <= kLargest))
+    refuse("gravity must be finite, and at most 1e60");
   if (!(dynamics.tolerance >= 1e-9 && dynamics.tolerance <= 0.1)) refuse("tolerance must lie in [1e-9, 0.1]");
   if (dynamics.damping && !(dynamics.damping->linear >= 0 && dynamics.damping->angular >= 0 &&
                             std::isfinite(dynamics.damping->linear + dynamics.damping->angular)))

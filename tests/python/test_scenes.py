@@ -112,6 +112,12 @@ class Scenes(unittest.TestCase):
         self.assertAlmostEqual(found["distance"][0], direct.distance, delta=1e-5)
         self.assertAlmostEqual(found["distance"][0], 1.218, delta=1e-3)  # docs/scenes.md
 
+    def test_one_group_and_one_effect_need_no_list(self):
+        scene = self.approach()
+        scene.add_body("hand", rg.Ball([9, 0, 0]), groups="arm")
+        scene.add_query("distance", between=("arm", "box"))
+        self.assertEqual(set(scene.run()["body_b"]) | set(scene.run()["body_a"]), {"hand", "box"})
+
     def test_arrays_that_change_later_change_no_scene(self):
         pose, points = np.eye(3), np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
         scene = rg.Scene()
@@ -128,11 +134,15 @@ class Scenes(unittest.TestCase):
             lambda: scene.add_body("ball", rg.Ball([0, 0, 0])),
             lambda: scene.add_body("x", rg.Ball([0, 0, 0]), times=[0, 1]),
             lambda: scene.add_query(["distance"], between=("ball", "nobody")),
+            lambda: scene.add_query(["distance"], between=()),
+            lambda: scene.add_query(["distance"], between=("ball", "box", "ball")),
             lambda: scene.ignore("nobody", "box"),
         ):
             self.assertRaises(rg.Error, mistake)
         for wrong in ({"effects": ["distances"]}, {"effects": []}, {"effects": ["distance"], "tolerance": 2},
-                      {"effects": ["distance"], "metric": rg.Ball([0, 0])}):
+                      {"effects": ["distance"], "metric": rg.Ball([0, 0])}, {"effects": ["distance"], "within": "near"},
+                      {"effects": ["distance"], "within": None}, {"effects": ["distance"], "nearest": 1.5},
+                      {"effects": ["distance"], "name": 3}, {"effects": [3]}):
             other = self.approach()
             other.add_query(**wrong)
             self.assertRaises(rg.Error, other.run)
@@ -141,6 +151,9 @@ class Scenes(unittest.TestCase):
             other = self.approach()
             other.add_body("wrong", rg.Ball([5, 0, 0]), **body)
             self.assertRaises(rg.Error, other.run)
+        other = self.approach()
+        other.add_body(3, rg.Ball([5, 0, 0]))
+        self.assertRaisesRegex(rg.InvalidParameterError, "name cannot be 3", other.run)
         self.assertRaises(rg.Error, rg.Scene().run)
         self.assertRaises(rg.Error, rg.Scene([1, 0]).run)
 

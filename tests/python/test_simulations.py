@@ -85,9 +85,21 @@ class Simulations(unittest.TestCase):
             lambda: rg.simulate(scene, contact={"friction": -1}),
             lambda: rg.simulate(scene, pairs=[("ball", "nobody", {})], contact={}),
             lambda: rg.simulate(scene, step=0),
+            lambda: rg.simulate(scene, step=1e-300),  # more steps than can be counted
+            lambda: rg.simulate(scene, step="1 ms"),
             lambda: rg.simulate(scene, gravity=[0, 1]),
+            lambda: rg.simulate(scene, gravity=[0, 0, -1e200]),
+            lambda: rg.simulate(scene, contact={"friction": "0.5"}),
+            lambda: rg.simulate(scene, contact=0.5),
+            lambda: rg.simulate(scene, pairs=[("ball", "floor", None)], contact={}),
+            lambda: rg.simulate(scene, pairs=[("ball", "floor")], contact={}),
         ):
             self.assertRaises(rg.Error, mistake)
+        for wrong in ({"mass": -1}, {"mass": 0}, {"density": float("nan")}, {"density": "heavy"}):  # no standing body either
+            with self.subTest(wrong), self.assertRaises(rg.InvalidParameterError):
+                scene = self.dropped()
+                scene.add_body("x", rg.Ball([5, 5, 5], 1), **wrong)
+                rg.simulate(scene)
         overlapping = rg.Scene([0, 1])
         overlapping.add_body("a", box(1, 1, 1), mass=1)
         overlapping.add_body("b", box(1, 1, 1))

@@ -55,7 +55,7 @@ TEST(SetParameters, ANegativeRadiusIsRefusedByName) {
 
 TEST(SetParameters, AnExponentBelowOneIsRefused) {
   EXPECT_EQ(message_of<InvalidParameterError>([] { PNormBall(kOrigin, kOne, 0.5); }),
-            "p-norm ball: p must be at least 1, got 0.500000");
+            "p-norm ball: p must be at least 1, got 0.5");
   EXPECT_THROW(PNormBall(kOrigin, kOne, kNaN), NonFiniteError);
   EXPECT_NO_THROW(PNormBall(kOrigin, kOne, kInfinity));
 }
@@ -85,7 +85,9 @@ TEST(SetParameters, AnAxisWithoutLengthIsRefused) {
 
 TEST(SetParameters, CornersInTheWrongOrderAreRefused) {
   EXPECT_EQ(message_of<InvalidParameterError>([] { Box(kOne, kOrigin); }),
-            "box: coordinate 0 of lower, 1.000000, must not exceed that of upper, 0.000000");
+            "box: coordinate 0 of lower, 1, must not exceed that of upper, 0");
+  EXPECT_EQ(message_of<InvalidParameterError>([] { Box(3e-9 * kOne, 2e-9 * kOne); }),  // small ones are legible
+            "box: coordinate 0 of lower, 3e-9, must not exceed that of upper, 2e-9");
 }
 
 TEST(SetParameters, DimensionsMustAgree) {

@@ -519,6 +519,20 @@ class Scenes(SceneProgram):
         self.run_raygauge("export", results, "--csv", "-")
         self.run_raygauge("table", results)
 
+    def test_info_of_a_simulation_without_queries_says_how_it_went(self):
+        scene = self.scenes / "dynamics" / "bouncing_ball.toml"
+        self.run_raygauge("scene", "simulate", scene, "-q", "-o", self.work / "fallen.h5")
+        text = self.run_raygauge("info", self.work / "fallen.h5").stdout
+        self.assertRegex(text, r"simulated by raygauge: \d+ steps of at most \S+ s, \d+ impacts?, \d+ cuts?; proven: no pair closer")
+        self.assertNotIn("0 of 0", text)
+        self.assertNotIn("solves", text)
+        self.assertGreater(json.loads(self.run_raygauge("info", self.work / "fallen.h5", "--json").stdout)["simulations"][0]["steps"], 0)
+
+    def test_compare_says_that_it_takes_sweeps(self):
+        self.run_raygauge("scene", "run", self.work / "good.toml", "-q", "-o", self.work / "good.h5", "--set", "time.instants=3")
+        done = self.run_raygauge("compare", self.work / "good.h5", self.work / "good.h5", status=2)
+        self.assertIn("holds the results of a scene", done.stderr)
+
     def test_shards_without_work_have_files_that_merge(self):
         for scene, count in (("lone.toml", 2), ("good.toml", 9)):
             (self.work / "lone.toml").write_text('name = "lone"\n' + GOOD[GOOD.index("[[body]]"):GOOD.index("motion")] +
