@@ -86,8 +86,9 @@ TEST(SetParameters, AnAxisWithoutLengthIsRefused) {
 TEST(SetParameters, CornersInTheWrongOrderAreRefused) {
   EXPECT_EQ(message_of<InvalidParameterError>([] { Box(kOne, kOrigin); }),
             "box: coordinate 0 of lower, 1, must not exceed that of upper, 0");
-  EXPECT_EQ(message_of<InvalidParameterError>([] { Box(3e-9 * kOne, 2e-9 * kOne); }),  // small ones are legible
-            "box: coordinate 0 of lower, 3e-9, must not exceed that of upper, 2e-9");
+  EXPECT_EQ(
+      message_of<InvalidParameterError>([] { Box(3e-9 * kOne, 2e-9 * kOne); }),  // small ones are legible
+      "box: coordinate 0 of lower, 3e-9, must not exceed that of upper, 2e-9");
 }
 
 TEST(SetParameters, DimensionsMustAgree) {
