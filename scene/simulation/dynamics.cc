@@ -158,6 +158,7 @@ void check_dynamics(const Scene& scene, const Dynamics& dynamics) {
     }
   }
   if (!(dynamics.step > 0 && std::isfinite(dynamics.step))) refuse("step must be positive");
+  if (scene.instants.empty()) refuse("a scene needs an instant");
   if (!((scene.instants.back() - scene.instants.front()) / dynamics.step < kMostSteps))
     refuse("step is too short: the time of the scene has more than 1e15 of them");
   bool any = false;
