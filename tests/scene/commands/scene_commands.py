@@ -476,7 +476,9 @@ class Scenes(SceneProgram):
         command = [self.raygauge, "scene", "simulate", str(self.heap()), "--step", "2e-3", "-o"]
         subprocess.run([*command, whole, "-q"], check=True)
         process = subprocess.Popen([*command, cut], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        time.sleep(0.3)
+        while process.poll() is None and not pathlib.Path(str(cut) + ".parts").exists():
+            time.sleep(0.001)
+        time.sleep(0.2)  # it simulates by now
         process.send_signal(signal.SIGINT)
         stderr = process.communicate(timeout=60)[1]
         self.assertEqual(process.returncode, 130, stderr)
