@@ -241,13 +241,16 @@ bool GroupStepper::move(double dt) {
   return false;
 }
 
-// The impulses and motions over dt, with all pairs that they bring together, first of them roughly. False:
-// see push_and_move().
+// The impulses and motions over dt, with all pairs that they bring together, first of them roughly. What
+// bends is corrected by a solution alone: it would rise for one that is off. False: see push_and_move().
 bool GroupStepper::settle(double dt) {
   int corrections = 0;
+  const auto bends = [&] {
+    return !problem_.is_rough() && corrections < kMostCorrections && ++corrections > 0 && corrected(dt);
+  };
   for (const bool roughly : {true, false}) {
     if (!push_and_move(dt, roughly)) return false;
-    while (catch_closing(dt) || (corrections < kMostCorrections && ++corrections > 0 && corrected(dt))) {
+    while (catch_closing(dt) || bends()) {
       restore(before_);
       if (!push_and_move(dt, roughly)) return false;
     }
