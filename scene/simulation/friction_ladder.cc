@@ -10,6 +10,8 @@
 namespace raygauge {
 namespace {
 
+constexpr double kSteepness = 10;  // with which most islands end
+
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
 double hard_friction(std::size_t contacts, bool first) {
   return contacts <= 150 ? enough_friction(contacts, first) : 1e-3;
@@ -61,13 +63,21 @@ class Ladder {
   Eigen::VectorXd& r_;
 };
 
+// A first guess that is good enough for many contacts gets better all the same: what stands would drift by
+// what is left.
+double refined(const FrictionIsland& island, double bound, double passed, Eigen::VectorXd& r) {
+  if (passed <= kSolvedFriction) return passed;
+  Ladder ladder(island, bound, kSolvedFriction, passed, r);
+  ladder.newton_briefly(kSteepness);
+  return ladder.residual();
+}
+
 }  // namespace
 
 // Passes bring many contacts near their law soon, and take the longer for the rest the more there are, which
 // Newton's method does not. It may end where F is least nearby; then it begins elsewhere.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
                       bool roughly) {
-  constexpr double kSteepness = 10;  // with which most islands end
   constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
   const bool first = r.isZero(0), many = count > (roughly ? kFewContacts : kManyContacts);
@@ -75,6 +85,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   const double enough = many && roughly ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
+  if (many && passed <= enough_friction(count, first)) return refined(island, bound, passed, r);
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
   Eigen::VectorXd passes = r;
