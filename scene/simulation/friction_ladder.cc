@@ -39,6 +39,11 @@ class Ladder {
     take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
   }
 
+  // From elsewhere, as far as they lead.
+  void pass_from(const FrictionIsland& island, double bound, Eigen::VectorXd& trial) {
+    take(pass_over_friction(island, bound, trial), trial);
+  }
+
   // By a slope that sees far, and from where that leads by one that tells near things apart.
   void newton(Eigen::VectorXd trial, double steepness) {
     constexpr double kSteeper = 300;
@@ -94,7 +99,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
       ladder.newton_briefly(kSteepness);
       ladder.pass(island, bound);
     }
-    if (!ladder.is_solved()) pass_over_friction(island, bound, passes = guess);
+    if (!ladder.is_solved()) ladder.pass_from(island, bound, passes = guess);
   }
   ladder.newton(guess, kSteepness);
   ladder.newton(passes, kSteepness);
