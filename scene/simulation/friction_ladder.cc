@@ -79,15 +79,15 @@ double refined(const FrictionIsland& island, double bound, double passed, Eigen:
 
 }  // namespace
 
-// Passes bring many contacts near their law soon, and take the longer for the rest the more there are, which
-// Newton's method does not. It may end where F is least nearby; then it begins elsewhere.
+// Passes bring contacts near their law soon. Newton's method may end where F is least nearby; then it begins
+// elsewhere.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
                       bool roughly) {
   constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
-  const bool first = r.isZero(0), many = count > (roughly ? kFewContacts : kManyContacts);
+  const bool first = r.isZero(0), many = roughly && count > kFewContacts;
   const double bound = island.bound_of_W();
-  const double enough = many && roughly ? kMostRough : enough_friction(count, first);
+  const double enough = many ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
   const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
   if (many && passed <= enough_friction(count, first)) return refined(island, bound, passed, r);
@@ -107,6 +107,9 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   ladder.newton(r, 100);
   ladder.newton(2 * passes, 1);
   ladder.newton(passes / 2, 0.1);
+  ladder.newton(r, 1);
+  ladder.newton(r, 1000);
+  ladder.pass(island, bound);
   if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
