@@ -39,11 +39,6 @@ class Ladder {
     take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
   }
 
-  // From elsewhere, as far as they lead.
-  void pass_from(const FrictionIsland& island, double bound, Eigen::VectorXd& trial) {
-    take(pass_over_friction(island, bound, trial), trial);
-  }
-
   // By a slope that sees far, and from where that leads by one that tells near things apart.
   void newton(Eigen::VectorXd trial, double steepness) {
     constexpr double kSteeper = 300;
@@ -83,7 +78,6 @@ double refined(const FrictionIsland& island, double bound, double passed, Eigen:
 // elsewhere.
 double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Eigen::VectorXd& r,
                       bool roughly) {
-  constexpr int kTurns = 2;
   const std::size_t count = island.contacts.size();
   const bool first = r.isZero(0), many = roughly && count > kFewContacts;
   const double bound = island.bound_of_W();
@@ -93,14 +87,7 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   if (many && passed <= enough_friction(count, first)) return refined(island, bound, passed, r);
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
-  Eigen::VectorXd passes = r;
-  if (many) {
-    for (int k = 0; k < kTurns && !ladder.is_solved(); ++k) {
-      ladder.newton_briefly(kSteepness);
-      ladder.pass(island, bound);
-    }
-    if (!ladder.is_solved()) ladder.pass_from(island, bound, passes = guess);
-  }
+  const Eigen::VectorXd passes = r;
   ladder.newton(guess, kSteepness);
   ladder.newton(passes, kSteepness);
   ladder.newton(0 * passes, 1);
