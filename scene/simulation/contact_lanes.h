@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The raygauge authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "scene/simulation/friction_island.h"
+
+namespace raygauge {
+
+/// Four and eight numbers, with the operators of one: the compiler makes of them what the machine has. (Their
+/// alignment would depend on that, too.)
+using Four [[gnu::vector_size(32), gnu::aligned(32)]] = double;
+using Eight [[gnu::vector_size(64), gnu::aligned(64)]] = double;
+
+/// A contact of an island as passes read it: rows and columns filled up with zeros.
+struct ContactLanes {
+  struct Side {
+    std::size_t body = 0;
+    Four row[6] = {};      ///< of A
+    Eight column[3] = {};  ///< of A
+  };
+
+  Side a, b;
+  Four q = {};
+  Four W[3] = {}, inverse[3] = {};  ///< columns of A_aᵀ A_a + A_bᵀ A_b, and of its inverse
+  double mu = 0;
+  double rate = 0;  ///< 1 / the mean of W across the normal
+};
+
+/// The contacts of an island, and the scaled velocities of its bodies that impulses r give. The same bits
+/// whatever the machine.
+class IslandLanes {
+ public:
+  explicit IslandLanes(const FrictionIsland& island);
+
+  std::size_t size() const noexcept { return contacts_.size(); }
+
+  /// One pass of Gauss and Seidel's method from r on. Leaves the velocities of the new r.
+  void pass(Eigen::VectorXd& r);
+
+  /// Σ law_error(), where the velocities of r are known; s = 1/‖W‖.
+  double error(double s, const Eigen::VectorXd& r) const;
+
+  /// Velocities of r.
+  void reset(const Eigen::VectorXd& r);
+
+ private:
+  struct Body {
+    Eight y;
+  };
+
+  void add_all(const double* r);
+
+  std::vector<ContactLanes> contacts_;
+  std::vector<Body> bodies_;  // the last one stands for all that do not react
+};
+
+}  // namespace raygauge
