@@ -4,15 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <queue>
 #include <utility>
 
+#include "engine/numerics/fused.h"
+
 namespace raygauge {
 namespace {
-
-using Block = BodyFactors::Block;
 
 std::size_t index(int number) { return static_cast<std::size_t>(number); }
 
@@ -66,26 +67,6 @@ std::vector<int> elimination(std::vector<std::vector<int>>& neighbours) {
   return order;
 }
 
-// Gauss and Jordan's method, by the largest pivot of each column.
-void invert(Block& A) {
-  std::array<Eigen::Index, 6> row{};
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    A.col(k).tail(6 - k).cwiseAbs().maxCoeff(&row[static_cast<std::size_t>(k)]);
-    row[static_cast<std::size_t>(k)] += k;
-    A.row(k).swap(A.row(row[static_cast<std::size_t>(k)]));
-    const double inverse = 1 / A(k, k);
-    Eigen::Matrix<double, 6, 1> column = A.col(k);
-    column[k] = 0;
-    for (Eigen::Index j = 0; j < 6; ++j) {
-      const double share = (j == k ? 1.0 : A(k, j)) * inverse;
-      if (j == k) A.col(j).setZero();
-      A.col(j) -= share * column;
-      A(k, j) = share;
-    }
-  }
-  for (Eigen::Index k = 6; k-- > 0;) A.col(k).swap(A.col(row[static_cast<std::size_t>(k)]));
-}
-
 }  // namespace
 
 BodyFactors::BodyFactors(const FrictionIsland& island) : pivot_of_(index(island.bodies), -1) {
@@ -110,8 +91,10 @@ BodyFactors::BodyFactors(const FrictionIsland& island) : pivot_of_(index(island.
 }
 
 void BodyFactors::set_identity() {
-  for (Block& block : blocks_) block.setZero();
-  for (const Pivot& pivot : pivots_) blocks_[pivot.first].diagonal().setOnes();
+  std::fill(blocks_.begin(), blocks_.end(), Block());
+  for (const Pivot& pivot : pivots_) {
+    for (int k = 0; k < 6; ++k) blocks_[pivot.first].column[k][k] = 1;
+  }
 }
 
 std::size_t BodyFactors::place_of_pivots(int row, int column) const {
@@ -122,35 +105,112 @@ std::size_t BodyFactors::place_of_pivots(int row, int column) const {
   return row > column ? pivot.below(k) : pivot.right(k);
 }
 
-std::size_t BodyFactors::place_of(int i, int j) const {
-  return place_of_pivots(pivot_of_[index(i)], pivot_of_[index(j)]);
+BodyFactors::Places BodyFactors::places_of(const IslandContact& contact) const {
+  Places places{};
+  std::size_t* place = places.data();
+  for (const int i : {contact.a, contact.b}) {
+    for (const int j : {contact.a, contact.b})
+      *place++ = i < 0 || j < 0 ? 0 : place_of_pivots(pivot_of_[index(i)], pivot_of_[index(j)]);
+  }
+  return places;
 }
 
-void BodyFactors::factorize() {
-  auto changed = changed_.begin();
+RAYGAUGE_VECTORS void BodyFactors::add(const IslandContact& contact, const Places& places,
+                                       const Eigen::Matrix3d& M) {
+  const int bodies[2] = {contact.a, contact.b};
+  const double* slopes[2] = {contact.A_a.data(), contact.A_b.data()};
+  const double* m = M.data();
+  for (int side = 0; side < 2; ++side) {
+    if (bodies[side] < 0) continue;
+    Eight G[3], moved[3];
+    for (int k = 0; k < 3; ++k) {
+      const double* const g = slopes[side] + 6 * k;
+      G[k] = Eight{g[0], g[1], g[2], g[3], g[4], g[5], 0, 0};
+    }
+    for (int k = 0; k < 3; ++k) moved[k] = G[0] * m[3 * k] + G[1] * m[3 * k + 1] + G[2] * m[3 * k + 2];
+    for (int other = 0; other < 2; ++other) {
+      if (bodies[other] < 0) continue;
+      Block& sum = blocks_[places[index(2 * side + other)]];
+      const double* const h = slopes[other];
+      for (int j = 0; j < 6; ++j)
+        sum.column[j] += moved[0] * h[j] + moved[1] * h[6 + j] + moved[2] * h[12 + j];
+    }
+  }
+}
+
+// Gauss and Jordan's method, by the largest pivot of each column.
+[[gnu::always_inline]] inline void BodyFactors::invert(Block& A) {
+  std::array<int, 6> row{};
+  for (int k = 0; k < 6; ++k) {
+    int best = k;
+    for (int i = k + 1; i < 6; ++i)
+      best = std::fabs(A.column[k][i]) > std::fabs(A.column[k][best]) ? i : best;
+    row[index(k)] = best;
+    for (Eight& column : A.column) {
+      const double above = column[k];
+      column[k] = column[best];
+      column[best] = above;
+    }
+    const double inverse = 1 / A.column[k][k];
+    Eight others = A.column[k];
+    others[k] = 0;
+    for (int j = 0; j < 6; ++j) {
+      Eight& column = A.column[j];
+      const double share = (j == k ? 1.0 : column[k]) * inverse;
+      column = (j == k ? Eight{} : column) - share * others;
+      column[k] = share;
+    }
+  }
+  for (int k = 6; k-- > 0;) std::swap(A.column[k], A.column[row[index(k)]]);
+}
+
+[[gnu::always_inline]] inline Eight BodyFactors::product(const Block& A, const Eight& x) {
+  return ((A.column[0] * x[0] + A.column[1] * x[1]) + (A.column[2] * x[2] + A.column[3] * x[3])) +
+         (A.column[4] * x[4] + A.column[5] * x[5]);
+}
+
+RAYGAUGE_VECTORS void BodyFactors::factorize() {
+  const std::size_t* changed = changed_.data();
   for (const Pivot& pivot : pivots_) {
     Block& inverse = blocks_[pivot.first];
     invert(inverse);
     for (std::size_t i = 0; i < pivot.later.size(); ++i) {
       Block& below = blocks_[pivot.below(i)];
-      below = Block(below.lazyProduct(inverse));
-      for (std::size_t j = 0; j < pivot.later.size(); ++j)
-        blocks_[*changed++].noalias() -= below.lazyProduct(blocks_[pivot.right(j)]);
+      const Block before = below;
+      for (int k = 0; k < 6; ++k) below.column[k] = product(before, inverse.column[k]);
+      for (std::size_t j = 0; j < pivot.later.size(); ++j) {
+        const Block& right = blocks_[pivot.right(j)];
+        Block& changes = blocks_[*changed++];
+        for (int k = 0; k < 6; ++k) changes.column[k] -= product(below, right.column[k]);
+      }
     }
   }
 }
 
-void BodyFactors::solve(Columns& x) const {
-  for (const Pivot& pivot : pivots_) {
+void BodyFactors::solve(Columns& x) {
+  x_.resize(pivots_.size());
+  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+    for (int i = 0; i < 6; ++i) x_[k].y[i] = x(i, pivots_[k].body);
+  }
+  solve_lanes();
+  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+    for (int i = 0; i < 6; ++i) x(i, pivots_[k].body) = x_[k].y[i];
+  }
+}
+
+RAYGAUGE_VECTORS void BodyFactors::solve_lanes() {
+  for (std::size_t k = 0; k < pivots_.size(); ++k) {
+    const Pivot& pivot = pivots_[k];
+    const Eight own = x_[k].y;
     for (std::size_t i = 0; i < pivot.later.size(); ++i)
-      x.col(pivots_[index(pivot.later[i])].body).noalias() -= blocks_[pivot.below(i)] * x.col(pivot.body);
+      x_[index(pivot.later[i])].y -= product(blocks_[pivot.below(i)], own);
   }
   for (std::size_t k = pivots_.size(); k-- > 0;) {
     const Pivot& pivot = pivots_[k];
-    Eigen::Matrix<double, 6, 1> own = x.col(pivot.body);
+    Eight own = x_[k].y;
     for (std::size_t i = 0; i < pivot.later.size(); ++i)
-      own.noalias() -= blocks_[pivot.right(i)] * x.col(pivots_[index(pivot.later[i])].body);
-    x.col(pivot.body).noalias() = blocks_[pivot.first] * own;
+      own -= product(blocks_[pivot.right(i)], x_[index(pivot.later[i])].y);
+    x_[k].y = product(blocks_[pivot.first], own);
   }
 }
 

@@ -48,7 +48,8 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
   y += side.column[0] * r[0] + side.column[1] * r[1] + side.column[2] * r[2];
 }
 
-[[gnu::always_inline]] inline Four velocity(const ContactLanes& contact, const Eight& of_a, const Eight& of_b) {
+[[gnu::always_inline]] inline Four velocity(const ContactLanes& contact, const Eight& of_a,
+                                            const Eight& of_b) {
   Four a = contact.q, b = {};
   for (int j = 0; j < 6; ++j) {
     a += contact.a.row[j] * of_a[j];
@@ -57,8 +58,7 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
   return a + b;
 }
 
-// Steps of projection to the cone, which come nearer always. (No lanes by value: how they are passed depends on the
-// instruction set.)
+// Steps of projection to the cone, which come nearer always.
 [[gnu::noinline]] Eigen::Vector3d nearer(const ContactLanes& contact, const Four& b, const Four& last) {
   constexpr int kSteps = 8;
   Eigen::Matrix3d W;
@@ -97,13 +97,14 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
 
 }  // namespace
 
-IslandLanes::IslandLanes(const FrictionIsland& island) : bodies_(static_cast<std::size_t>(island.bodies) + 1) {
+IslandLanes::IslandLanes(const FrictionIsland& island)
+    : bodies_(static_cast<std::size_t>(island.bodies) + 1) {
   contacts_.reserve(island.contacts.size());
   for (const IslandContact& contact : island.contacts) contacts_.push_back(lanes_of(contact, island.bodies));
 }
 
 RAYGAUGE_VECTORS void IslandLanes::add_all(const double* r) {
-  for (Body& body : bodies_) body.y = Eight{};
+  for (BodyLanes& body : bodies_) body.y = Eight{};
   for (const ContactLanes& contact : contacts_) {
     const Four here{r[0], r[1], r[2], 0};
     push(contact.a, here, bodies_[contact.a.body].y);

@@ -7,13 +7,9 @@
 #include <vector>
 
 #include "scene/simulation/friction_island.h"
+#include "scene/simulation/lanes.h"
 
 namespace raygauge {
-
-/// Four and eight numbers, with the operators of one: the compiler makes of them what the machine has. (Their
-/// alignment would depend on that, too.)
-using Four [[gnu::vector_size(32), gnu::aligned(32)]] = double;
-using Eight [[gnu::vector_size(64), gnu::aligned(64)]] = double;
 
 /// A contact of an island as passes read it: rows and columns filled up with zeros.
 struct ContactLanes {
@@ -48,14 +44,10 @@ class IslandLanes {
   void reset(const Eigen::VectorXd& r);
 
  private:
-  struct Body {
-    Eight y;
-  };
-
   void add_all(const double* r);
 
   std::vector<ContactLanes> contacts_;
-  std::vector<Body> bodies_;  // the last one stands for all that do not react
+  std::vector<BodyLanes> bodies_;  // the last one stands for all that do not react
 };
 
 }  // namespace raygauge

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "scene/simulation/contact_lanes.h"
+#include "scene/simulation/lanes.h"
 
 namespace raygauge {
 

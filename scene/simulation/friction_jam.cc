@@ -104,11 +104,7 @@ class Lack {
     factors_.set_identity();
     for (const IslandContact& contact : island_.contacts) {
       const Eigen::Matrix3d slope = cone_slope(-velocity(y_, contact), contact.mu) / firm;
-      for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-        for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-          if (i >= 0 && j >= 0) factors_.add(factors_.place_of(i, j), *G * slope * H->transpose());
-        }
-      }
+      factors_.add(contact, factors_.places_of(contact), slope);
     }
     factors_.factorize();
     Columns step = push / firm;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_ladder.h"
 
+#include <cstdint>
 #include <utility>
 
 #include "scene/simulation/friction_newton.h"
@@ -10,7 +11,23 @@
 namespace raygauge {
 namespace {
 
-constexpr double kSteepness = 10;  // with which most islands end
+/// Where Newton's method begins, and how steep its equations are: slopes of 30 see far enough for most
+/// islands, steeper ones tell near things apart.
+struct Rung {
+  enum class From : std::uint8_t { guess, passes, best };
+
+  From from = From::best;
+  double share = 1;  // of those impulses
+  double steepness = 30;
+};
+
+// In the order of what they solve in a millisecond.
+using From = Rung::From;
+constexpr Rung kRungs[] = {
+    {From::guess, 1, 30},   {From::best, 1, 1000},    {From::best, 1, 10},     {From::best, 1, 100},
+    {From::passes, 1, 300}, {From::best, 1, 3e4},     {From::passes, 0.5, 30}, {From::best, 1, 1},
+    {From::best, 1, 300},   {From::passes, 1, 10},    {From::best, 1, 1e4},    {From::passes, 0, 1},
+    {From::passes, 2, 1},   {From::passes, 0.5, 0.1}, {From::best, 1, 3000},   {From::best, 1, 1e5}};
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
 double hard_friction(std::size_t contacts, bool first) {
@@ -27,9 +44,9 @@ class Ladder {
   bool is_solved() const { return residual_ <= enough_; }
 
   // From where it is, by a few rounds while they gain.
-  void newton_briefly(double steepness) {
+  void newton_briefly() {
     Eigen::VectorXd trial = r_;
-    take(newton_.improve_briefly(steepness, kMore * enough_, trial), trial);
+    take(newton_.improve_briefly(Rung().steepness, kMore * enough_, trial), trial);
   }
 
   // Passes, likewise.
@@ -39,13 +56,9 @@ class Ladder {
     take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
   }
 
-  // By a slope that sees far, and from where that leads by one that tells near things apart.
   void newton(Eigen::VectorXd trial, double steepness) {
-    constexpr double kSteeper = 300;
-    for (const double factor : {1.0, kSteeper}) {
-      if (is_solved()) return;
-      take(newton_.improve(factor * steepness, kMore * enough_, trial), trial);
-    }
+    if (is_solved()) return;
+    take(newton_.improve(steepness, kMore * enough_, trial), trial);
   }
 
  private:
@@ -68,7 +81,7 @@ class Ladder {
 double refined(const FrictionIsland& island, double bound, double passed, Eigen::VectorXd& r) {
   if (passed <= kSolvedFriction) return passed;
   Ladder ladder(island, bound, kSolvedFriction, passed, r);
-  ladder.newton_briefly(kSteepness);
+  ladder.newton_briefly();
   return ladder.residual();
 }
 
@@ -88,19 +101,15 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
-  ladder.newton(guess, kSteepness);
-  ladder.newton(passes, kSteepness);
-  ladder.newton(0 * passes, 1);
-  ladder.newton(r, 100);
-  ladder.newton(2 * passes, 1);
-  ladder.newton(passes / 2, 0.1);
-  ladder.newton(r, 1);
-  ladder.newton(r, 1000);
+  for (const Rung& rung : kRungs) {
+    const Eigen::VectorXd& from = rung.from == From::guess ? guess : rung.from == From::passes ? passes : r;
+    ladder.newton(rung.share * from, rung.steepness);
+  }
   ladder.pass(island, bound);
   if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
-  ladder.newton(trial, kSteepness);
+  ladder.newton(trial, Rung().steepness);
   return ladder.residual();
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_newton.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -39,28 +38,20 @@ IslandNewton::IslandNewton(const FrictionIsland& island, double bound)
     const Eigen::Matrix3d W = contact.A_a.transpose() * contact.A_a + contact.A_b.transpose() * contact.A_b;
     rows_[c].size = std::max(W.norm(), 1e-300);
     largest_ = std::max(largest_, W.diagonal().maxCoeff());
-    std::size_t* place = rows_[c].place.data();
-    for (const int i : {contact.a, contact.b}) {
-      for (const int j : {contact.a, contact.b}) *place++ = i < 0 || j < 0 ? 0 : factors_.place_of(i, j);
-    }
+    rows_[c].places = factors_.places_of(contact);
   }
 }
 
 // F of the contact c.
-Eigen::Vector3d IslandNewton::lacks(std::size_t c, const Eigen::Vector3d& r, const Eigen::Vector3d& u) const {
-  const double rho = steepness_ / rows_[c].size, mu = island_.contacts[c].mu;
-  Eigen::Vector3d F = r;
-  const double a = r[0] - rho * u[0];
-  if (!(a > 0)) return F;
-  F[0] = rho * u[0];
-  if (!(mu > 0)) return F;
-  const Eigen::Vector2d y = (r - rho * u).tail<2>();
-  const double length = y.norm(), radius = mu * a;
-  if (length <= radius)
-    F.tail<2>() = rho * u.tail<2>();
-  else
-    F.tail<2>() -= radius / length * y;
-  return F;
+inline Eigen::Vector3d IslandNewton::lacks(std::size_t c, const Eigen::Vector3d& r,
+                                           const Eigen::Vector3d& u) const {
+  const double rho = steepness_ / rows_[c].size, a = r[0] - rho * u[0];
+  if (!(a > 0)) return r;
+  const double x = r[1] - rho * u[1], y = r[2] - rho * u[2], radius = island_.contacts[c].mu * a;
+  const double square = x * x + y * y;
+  if (square <= radius * radius) return rho * u;
+  const double share = radius / std::sqrt(square);
+  return {rho * u[0], r[1] - share * x, r[2] - share * y};
 }
 
 // |F|, where the velocities of r are known.
@@ -85,46 +76,33 @@ double IslandNewton::after(double share, const Eigen::VectorXd& r) const {
   return std::sqrt(square);
 }
 
+// (A + κ B)⁻¹ and that times B in closed form. With w the direction in which a contact slips, p across it and
+// k = μ a / |r_t - ρ u_t| the lower right parts of A and B are 1 - k p pᵀ and ρ k p pᵀ, and the lower left
+// ones -μ w and μ ρ w.
 void IslandNewton::take_slope(std::size_t c, const Eigen::Vector3d& r) {
   Row& row = rows_[c];
   const double rho = steepness_ / row.size, mu = island_.contacts[c].mu, a = r[0] - rho * row.u[0];
   row.inverse.setIdentity();
   row.by_y.setZero();
   if (!(a > 0)) return;
-  Eigen::Matrix3d A = Eigen::Matrix3d::Identity(), B = Eigen::Matrix3d::Zero();
-  A(0, 0) = 0;
-  B(0, 0) = rho;
-  if (mu > 0) {
-    const Eigen::Vector2d y = (r - rho * row.u).tail<2>();
-    const double length = y.norm(), radius = mu * a;
-    if (length <= radius) {
-      row.by_y.diagonal().setConstant(1 / softness_);
-      row.inverse.diagonal().setConstant(1 / (softness_ * rho));
-      return;
-    }
-    const Eigen::Vector2d way = y / length;
-    const Eigen::Matrix2d across = radius / length * (Eigen::Matrix2d::Identity() - way * way.transpose());
-    A.bottomRightCorner<2, 2>() -= across;
-    A.bottomLeftCorner<2, 1>() = -mu * way;
-    B.bottomRightCorner<2, 2>() = rho * across;
-    B.bottomLeftCorner<2, 1>() = mu * rho * way;
+  const double soft = softness_ * rho, radius = mu * a;
+  const Eigen::Vector2d y = (r - rho * row.u).tail<2>();
+  const double square = y.squaredNorm();
+  if (mu > 0 && square <= radius * radius) {
+    row.by_y.diagonal().setConstant(1 / softness_);
+    row.inverse.diagonal().setConstant(1 / soft);
+    return;
   }
-  row.inverse = (A + softness_ * B).inverse();
-  row.by_y = row.inverse * B;
-}
-
-// Of a contact that is closed.
-void IslandNewton::add_slope(std::size_t c) {
-  const IslandContact& contact = island_.contacts[c];
-  const Row& row = rows_[c];
-  const std::size_t* place = row.place.data();
-  for (const auto& [i, G] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-    const ContactSlope moved = *G * row.by_y;
-    for (const auto& [j, H] : {std::pair(contact.a, &contact.A_a), std::pair(contact.b, &contact.A_b)}) {
-      if (i >= 0 && j >= 0) factors_.add(*place, moved.lazyProduct(H->transpose()));
-      ++place;
-    }
-  }
+  row.inverse(0, 0) = 1 / soft;
+  row.by_y(0, 0) = 1 / softness_;
+  if (!(mu > 0)) return;
+  const double length = std::sqrt(square), k = radius / length;
+  const Eigen::Vector2d w = y / length, p(-w[1], w[0]);
+  const double across = 1 - (1 - soft) * k;
+  row.inverse.bottomLeftCorner<2, 1>() = mu * (1 - soft) / soft * w;
+  row.inverse.bottomRightCorner<2, 2>() = w * w.transpose() + p * p.transpose() / across;
+  row.by_y.bottomLeftCorner<2, 1>() = mu / softness_ * w;
+  row.by_y.bottomRightCorner<2, 2>() = rho * k / across * p * p.transpose();
 }
 
 // From r, which was looked at last.
@@ -139,7 +117,7 @@ void IslandNewton::find_step(const Eigen::VectorXd& r) {
     step_.segment<3>(3 * static_cast<Eigen::Index>(c)) = -by_F;
     if (contact.a >= 0) y_.col(contact.a).noalias() -= contact.A_a * by_F;
     if (contact.b >= 0) y_.col(contact.b).noalias() -= contact.A_b * by_F;
-    if (row.by_y(0, 0) != 0) add_slope(c);
+    if (row.by_y(0, 0) != 0) factors_.add(contact, row.places, row.by_y);  // it is closed
   }
   factors_.factorize();
   factors_.solve(y_);

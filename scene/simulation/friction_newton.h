@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "scene/simulation/body_factors.h"
@@ -44,16 +43,15 @@ class IslandNewton {
   struct Row {
     double size = 0;  // ‖W of the contact‖
     Eigen::Vector3d u, F;
-    Eigen::Vector3d by_step;             // what a step adds to u
-    Eigen::Matrix3d inverse, by_y;       // (A + κ B)⁻¹ and that times B
-    std::array<std::size_t, 4> place{};  // of the blocks aa, ab, ba, bb of its bodies
+    Eigen::Vector3d by_step;        // what a step adds to u
+    Eigen::Matrix3d inverse, by_y;  // (A + κ B)⁻¹ and that times B
+    BodyFactors::Places places{};
   };
 
   double look(const Eigen::VectorXd& r);
   double after(double share, const Eigen::VectorXd& r) const;
-  Eigen::Vector3d lacks(std::size_t c, const Eigen::Vector3d& r, const Eigen::Vector3d& u) const;
+  inline Eigen::Vector3d lacks(std::size_t c, const Eigen::Vector3d& r, const Eigen::Vector3d& u) const;
   void take_slope(std::size_t c, const Eigen::Vector3d& r);
-  void add_slope(std::size_t c);
   void find_step(const Eigen::VectorXd& r);
   int solve_soft(Eigen::VectorXd& r);
   double go(double enough, int patience, Eigen::VectorXd& r);
