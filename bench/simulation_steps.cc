@@ -3,22 +3,18 @@
 // What does a step of a simulation cost, beside one of another engine? Boxes, balls and capsules dropped into
 // a bin. By stretches of time: falling, packing, at rest.
 #include <CLI/CLI.hpp>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "bench/bin.h"
 #include "bench/program.h"
-#include "raygauge/sets/ball.h"
-#include "raygauge/sets/box.h"
-#include "raygauge/sets/capsule.h"
 #include "raygauge/simulation.h"
 #include "scene/engines/loaded_engine.h"
 #include "scene/friction/loaded_friction.h"
@@ -55,66 +51,6 @@ void wait_for_idle_threads() {
     if (processor_seconds() - before < kIdle) return;
   }
 }
-
-class Bin {
- public:
-  explicit Bin(const Settings& settings) {
-    scene_.name = "bin";
-    scene_.instants = {0, settings.seconds};
-    dynamics_.gravity = Eigen::Vector3d(0, 0, -9.81);
-    dynamics_.contact = ContactLaw{0.5, std::nullopt};
-    dynamics_.step = settings.step;
-    dynamics_.tolerance = settings.tolerance;
-    const int side = std::max(4, static_cast<int>(std::lround(std::cbrt(settings.bodies) * 1.2)));
-    add_bin(0.125 * side + 0.15);
-    for (int k = 0; k < settings.bodies; ++k) add_thrown(k, side);
-  }
-
-  const Scene& scene() const { return scene_; }
-  const Dynamics& dynamics() const { return dynamics_; }
-
- private:
-  using Point = Eigen::Vector3d;
-
-  double uniform(double size) { return std::uniform_real_distribution<double>(-size, size)(random_); }
-
-  void add(std::shared_ptr<const ConvexSet> set, const Placement& at) {
-    scene_.bodies.push_back(make_body("b" + std::to_string(scene_.bodies.size()), {std::move(set)},
-                                      std::make_shared<StaticMotion>(at)));
-    dynamics_.bodies.emplace_back();
-  }
-
-  void add_standing(const Point& low, const Point& high) {
-    add(std::make_shared<Box>(low, high),
-        {SmallMatrix(Eigen::Matrix3d::Identity()), SmallVector(Point::Zero())});
-  }
-
-  void add_bin(double w) {
-    add_standing({-w, -w, -0.2}, {w, w, 0});
-    add_standing({-w - 0.2, -w, 0}, {-w, w, 2});
-    add_standing({w, -w, 0}, {w + 0.2, w, 2});
-    add_standing({-w, -w - 0.2, 0}, {w, -w, 2});
-    add_standing({-w, w, 0}, {w, w + 0.2, 2});
-  }
-
-  void add_thrown(int number, int side) {
-    const int row = number / side % side, layer = number / (side * side);
-    const Point place(0.25 * (number % side - 0.5 * (side - 1)) + uniform(0.01),
-                      0.25 * (row - 0.5 * (side - 1)) + uniform(0.01), 0.15 + 0.25 * layer);
-    const Eigen::Matrix3d R =
-        Eigen::Quaterniond(uniform(1), uniform(1), uniform(1), uniform(1)).normalized().toRotationMatrix();
-    std::shared_ptr<const ConvexSet> set =
-        std::make_shared<Box>(Point(-0.07, -0.06, -0.05), Point(0.07, 0.06, 0.05));
-    if (number % 3 == 1) set = std::make_shared<Ball>(Point(0, 0, 0), 0.08);
-    if (number % 3 == 2) set = std::make_shared<Capsule>(Point(0, 0, -0.05), Point(0, 0, 0.05), 0.05);
-    add(set, {SmallMatrix(R), SmallVector(place)});
-    dynamics_.bodies.back() = reacting_body(scene_.bodies.back(), std::nullopt, 1000);
-  }
-
-  std::mt19937_64 random_{3};
-  Scene scene_;
-  Dynamics dynamics_;
-};
 
 /// Seconds at the end of each step, from the beginning: of all processors together, and on the clock.
 struct Run {
@@ -193,7 +129,7 @@ double least_distance(const Run& run) {
 }
 
 void run(const Settings& settings) {
-  const Bin bin(settings);
+  const Bin bin(settings.bodies, settings.seconds, settings.step, settings.tolerance);
   const auto friction = loaded_friction();
   SimulationHooks hooks;
   hooks.threads = settings.threads;

@@ -14,6 +14,7 @@
 #include "engine/methods/zheng_yamane/tuning.h"
 #include "engine/queries/tuning.h"
 #include "engine/sets/tuning.h"
+#include "scene/simulation/tuning.h"
 
 namespace raygauge::bench {
 namespace {
@@ -333,13 +334,37 @@ TunedMethod queries() {
             stream}}};
 }
 
+TunedMethod simulation() {
+  const Workload heap = heap_steps(200, 0.6, 0.64), packed = heap_steps(200, 1.1, 1.13);
+  const std::string on = "40 steps, 200 bodies",
+                    of_packed = "30 steps, 200 bodies at rest (ways part: a fifth tells nothing)";
+  return {"simulation",
+          {{{"kManyContacts", tuned::kManyContacts}, {25, 50, 200, 400}, of_packed, packed},
+           {{"kRoughFriction", tuned::kRoughFriction}, {1e-6, 1e-5, 1e-3, 1e-2}, of_packed, packed},
+           {{"kPatienceOfPasses", tuned::kPatienceOfPasses}, {8, 15, 60, 120}, on, heap},
+           {{"kPatienceOfRoughPasses", tuned::kPatienceOfRoughPasses}, {3, 5, 20, 40}, of_packed, packed},
+           {{"kPassesOfLook", tuned::kPassesOfLook}, {1, 4, 16, 32}, on, heap},
+           {{"kFirstSteepness", tuned::kFirstSteepness}, {3, 10, 100, 300}, of_packed, packed},
+           {{"kPatienceOfRounds", tuned::kPatienceOfRounds}, {5, 10, 25, 40}, of_packed, packed},
+           {{"kContactsOfThreads", tuned::kContactsOfThreads},
+            {8, 16, 64, 128},
+            "2 threads, " + on,
+            heap_steps(200, 0.6, 0.64, 2),
+            Clock::wall},
+           {{"kBodiesOfThreads", tuned::kBodiesOfThreads},
+            {4, 8, 32, 64},
+            "2 threads, 60 steps, 60 bodies",
+            heap_steps(60, 0.5, 0.56, 2),
+            Clock::wall}}};
+}
+
 }  // namespace
 
 std::vector<TunedMethod> tuned_methods() {
   std::vector<TunedMethod> all;
   for (TunedMethod (*const of)() :
        {zheng_yamane, column_generation_starts, column_generation, samples, simplex, interior_point, threads,
-        euclidean_and_smooth, spatial, sets, trees, gauges_of_points, queries}) {
+        euclidean_and_smooth, spatial, sets, trees, gauges_of_points, queries, simulation}) {
     all.push_back(of());
   }
   return all;

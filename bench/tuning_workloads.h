@@ -53,4 +53,7 @@ enum class PairAsk { distance, warm, growth, depth, depth_warm };
 Workload pairs(const std::vector<std::pair<std::string, std::string>>& kinds, const std::string& place,
                PairAsk ask);
 
+/// Steps of a heap of so many bodies, always the same ones: from one time of a Bin to another.
+Workload heap_steps(int bodies, double from, double to, int threads = 1);
+
 }  // namespace raygauge::bench

@@ -247,7 +247,7 @@ struct SimulationHooks {
   int threads = 1;  ///< share groups of bodies, and a large one's pairs; what is found does not depend on it
   std::function<bool()> stop;                  ///< true: end here; a step that is not done is taken back
   std::function<void(double share)> progress;  ///< of the time that is done
-  std::function<bool()> due;                   ///< after a step: whether to call `store` now
+  std::function<bool()> due;                   ///< after a step: whether to call `store` now; none: no
   std::function<void(const SimulationPart& part)>
       store;  ///< what happened since its last call; also at the end, and before a SimulationError
   /// Another engine: it takes a step until `end`, and sets the states of the bodies that react, of all bodies

@@ -14,6 +14,7 @@
 #include "scene/simulation/friction_ladder.h"
 #include "scene/simulation/friction_passes.h"
 #include "scene/simulation/islands.h"
+#include "scene/simulation/tuning.h"
 
 namespace raygauge {
 namespace {
@@ -110,7 +111,6 @@ std::vector<std::vector<std::size_t>> islands_of(const std::vector<ContactUnknow
 // The largest islands first: they take longest.
 double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<SimulatedBody>& bodies,
                              bool roughly) {
-  constexpr std::size_t kFewest = 32;  // contacts that are worth a second thread
   jammed_.clear();
   is_rough_ = false;
   if (contacts.empty()) return 0;
@@ -123,9 +123,9 @@ double ContactProblem::solve(std::vector<ContactUnknown>& contacts, std::vector<
   std::stable_sort(islands.begin(), islands.end(),
                    [](const auto& one, const auto& other) { return one.size() > other.size(); });
   // Small islands alone are solved to the end as soon.
-  roughly = roughly && islands.front().size() > kManyContacts;
+  roughly = roughly && islands.front().size() > tuned::kManyContacts;
   std::vector<Solved> solved(islands.size());
-  share_work(contacts.size() < kFewest ? nullptr : team_, islands.size(), 1, false,
+  share_work(contacts.size() < tuned::kContactsOfThreads ? nullptr : team_, islands.size(), 1, false,
              [&](std::size_t first, std::size_t last) {
                for (std::size_t k = first; k < last; ++k)
                  solved[k] = solve_island(islands[k], bodies, roughly);

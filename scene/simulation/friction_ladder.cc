@@ -7,27 +7,28 @@
 
 #include "scene/simulation/friction_newton.h"
 #include "scene/simulation/friction_passes.h"
+#include "scene/simulation/tuning.h"
 
 namespace raygauge {
 namespace {
 
-/// Where Newton's method begins, and how steep its equations are: slopes of 30 see far enough for most
-/// islands, steeper ones tell near things apart.
+/// Where Newton's method begins anew, and how steep its equations are: gentle ones see far, steep ones tell
+/// near things apart.
 struct Rung {
-  enum class From : std::uint8_t { guess, passes, best };
+  enum class From : std::uint8_t { passes, best };
 
-  From from = From::best;
-  double share = 1;  // of those impulses
-  double steepness = 30;
+  From from;
+  double share;  // of those impulses
+  double steepness;
 };
 
 // In the order of what they solve in a millisecond.
 using From = Rung::From;
-constexpr Rung kRungs[] = {
-    {From::guess, 1, 30},   {From::best, 1, 1000},    {From::best, 1, 10},     {From::best, 1, 100},
-    {From::passes, 1, 300}, {From::best, 1, 3e4},     {From::passes, 0.5, 30}, {From::best, 1, 1},
-    {From::best, 1, 300},   {From::passes, 1, 10},    {From::best, 1, 1e4},    {From::passes, 0, 1},
-    {From::passes, 2, 1},   {From::passes, 0.5, 0.1}, {From::best, 1, 3000},   {From::best, 1, 1e5}};
+constexpr Rung kRungs[] = {{From::best, 1, 1000},    {From::best, 1, 10},   {From::best, 1, 100},
+                           {From::passes, 1, 300},   {From::best, 1, 3e4},  {From::passes, 0.5, 30},
+                           {From::best, 1, 1},       {From::best, 1, 300},  {From::passes, 1, 10},
+                           {From::best, 1, 1e4},     {From::passes, 0, 1},  {From::passes, 2, 1},
+                           {From::passes, 0.5, 0.1}, {From::best, 1, 3000}, {From::best, 1, 1e5}};
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
 double hard_friction(std::size_t contacts, bool first) {
@@ -46,7 +47,7 @@ class Ladder {
   // From where it is, by a few rounds while they gain.
   void newton_briefly() {
     Eigen::VectorXd trial = r_;
-    take(newton_.improve_briefly(Rung().steepness, kMore * enough_, trial), trial);
+    take(newton_.improve_briefly(tuned::kFirstSteepness, kMore * enough_, trial), trial);
   }
 
   // Passes, likewise.
@@ -96,20 +97,19 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   const double bound = island.bound_of_W();
   const double enough = many ? kMostRough : enough_friction(count, first);
   const Eigen::VectorXd guess = r;
-  const double passed = pass_over_friction(island, bound, r, many ? kRoughFriction : kPassedFriction);
+  const double passed = pass_over_friction(island, bound, r, many ? tuned::kRoughFriction : kPassedFriction);
   if (many && passed <= enough_friction(count, first)) return refined(island, bound, passed, r);
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
-  for (const Rung& rung : kRungs) {
-    const Eigen::VectorXd& from = rung.from == From::guess ? guess : rung.from == From::passes ? passes : r;
-    ladder.newton(rung.share * from, rung.steepness);
-  }
+  ladder.newton(guess, tuned::kFirstSteepness);
+  for (const Rung& rung : kRungs)
+    ladder.newton(rung.share * (rung.from == From::passes ? passes : r), rung.steepness);
   ladder.pass(island, bound);
   if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
-  ladder.newton(trial, Rung().steepness);
+  ladder.newton(trial, tuned::kFirstSteepness);
   return ladder.residual();
 }
 

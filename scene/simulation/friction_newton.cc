@@ -6,13 +6,15 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/simulation/tuning.h"
+
 namespace raygauge {
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr int kPatience = 15, kBrief = 3;        // rounds within which the residual is to fall to half
-constexpr int kMostSteps = 12, kMostHalves = 4;  // of a round, and of a step
-constexpr double kFirstSoftness = 1e-3;          // κ, relative to W, ...
+constexpr int kBrief = 3;  // rounds within which the residual is to fall to half, near a solution
+constexpr int kMostSteps = 12, kMostHalves = 4;          // of a round, and of a step
+constexpr double kFirstSoftness = 1e-3;                  // κ, relative to W, ...
 constexpr double kByResidual = 0.1, kLeastFirst = 1e-7;  // ... and near a solution to the residual too, ...
 constexpr double kLeastSoftness = 1e-9, kMostSoftness = 1;
 constexpr double kStiffer = 0.3, kSofter = 10;  // ... and how it changes
@@ -157,7 +159,7 @@ int IslandNewton::solve_soft(Eigen::VectorXd& r) {
 double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r) {
   steepness_ = steepness;
   softness_ = kFirstSoftness * largest_;
-  return go(enough, kPatience, r);
+  return go(enough, tuned::kPatienceOfRounds, r);
 }
 
 double IslandNewton::improve_briefly(double steepness, double enough, Eigen::VectorXd& r) {

@@ -8,17 +8,18 @@
 
 #include "scene/simulation/contact_lanes.h"
 #include "scene/simulation/extrapolation.h"
+#include "scene/simulation/tuning.h"
 
 namespace raygauge {
 namespace {
 
+using namespace tuned;
+
 constexpr int kMostPasses = 600;
 constexpr double kGain = 0.5;  // passes go on while the residual falls so much ...
-constexpr int kPatience = 30;  // ... within so many of them, ...
-constexpr int kRough = 10;     // ... or within so many where a rough answer is enough, ...
-constexpr int kMore = 8;       // ... or within so many where it is small enough
+constexpr int kMore = 8;       // ... within kPatienceOfPasses, or so many where it is small enough
 constexpr double kNear = 100;  // times enough: a change, as a residual, from which on every pass ...
-constexpr int kFar = 8;        // ... is measured; of others every eighth
+                               // ... is measured
 constexpr double kWorse = 10;  // a pass that changes more than the best one by so much begins anew
 
 /// Passes from r on until they gain nothing more; r is where the residual was least.
@@ -88,7 +89,8 @@ class Descent {
     lanes_.pass(g_);
     f_ = g_ - here;
     const double size = f_.norm();
-    if (size > kNear * enough_ * step_of(bound_) * size_of_q_ && k % kFar != kFar - 1) return size;
+    if (size > kNear * enough_ * step_of(bound_) * size_of_q_ && k % kPassesOfLook != kPassesOfLook - 1)
+      return size;
     const double residual = this->residual(g_);
     if (residual < best_) {
       best_ = residual;
@@ -102,7 +104,9 @@ class Descent {
   }
 
   bool has_stalled(int k) const {
-    const int patience = enough_ > kSolvedFriction ? kRough : best_ > kSolvedFriction ? kPatience : kMore;
+    const int patience = enough_ > kSolvedFriction ? kPatienceOfRoughPasses
+                         : best_ > kSolvedFriction ? kPatienceOfPasses
+                                                   : kMore;
     return k > gained_at_ + patience;
   }
 

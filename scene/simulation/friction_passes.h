@@ -6,15 +6,11 @@
 
 namespace raygauge {
 
-/// Of so many contacts a matrix is soon factorized, ...
+/// Of so many contacts a matrix is soon factorized.
 inline constexpr std::size_t kFewContacts = 24;
 
-/// ... and of more than these it takes long: islands are solved roughly while it is open which bodies meet
-/// (measured: heaps of 200 to 800 bodies).
-inline constexpr std::size_t kManyContacts = 100;
-
-/// The residual that tells which bodies meet, and up to which it does where passes go no further.
-inline constexpr double kRoughFriction = 1e-4, kMostRough = 1e-2;
+/// The residual up to which it tells which bodies meet, where passes go no further than that.
+inline constexpr double kMostRough = 1e-2;
 
 /// The residual that passes aim at.
 inline constexpr double kPassedFriction = 1e-10;

@@ -7,6 +7,7 @@
 
 #include "scene/simulation/islands.h"
 #include "scene/simulation/simulator.h"
+#include "scene/simulation/tuning.h"
 
 // Bodies that cannot meet within a step take it by themselves: in groups, each cut where it must be, on any
 // thread. What a group finds does not depend on where or when it is asked.
@@ -133,7 +134,6 @@ std::vector<BodyGroup> Simulator::with_memory(const std::vector<std::vector<int>
 // Those that are not done. A group of most bodies is shared by all threads; the others are, each by one, the
 // largest first.
 void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std::vector<GroupStep>& steps) {
-  constexpr std::size_t kFewest = 16;  // bodies that are worth a second thread
   const auto number = static_cast<std::int64_t>(log_.steps.size());
   const std::size_t threads = std::max<std::size_t>(1, steppers_.all().size());
   std::size_t bodies = 0;
@@ -147,8 +147,9 @@ void Simulator::step_groups(const std::vector<BodyGroup>& groups, double to, std
     return groups[one].bodies.size() > groups[other].bodies.size();
   });
   std::size_t next = 0;  // of the groups that one thread takes
-  while (next < open.size() && (threads == 1 || bodies < kFewest ||
-                                groups[open[next]].bodies.size() > std::max(kFewest, bodies / threads)))
+  while (next < open.size() && (threads == 1 || bodies < tuned::kBodiesOfThreads ||
+                                groups[open[next]].bodies.size() >
+                                    std::max<std::size_t>(tuned::kBodiesOfThreads, bodies / threads)))
     ++next;
   for (std::size_t k = 0; k < next; ++k)
     steps[open[k]] = whole_->step(groups[open[k]], bodies_, t_, to, number);

@@ -28,7 +28,8 @@ Simulation Simulator::run(const SimulationHooks& hooks, std::span<const Simulati
     goes_on = do_step(k == count ? to : from + share * (to - from));
     if (goes_on && hooks_.store) ended = state();
     if (hooks_.progress) hooks_.progress(share);
-    if (hooks_.store && (!goes_on || k == count || hooks_.due())) hooks_.store(log_.next_part(ended));
+    if (hooks_.store && (!goes_on || k == count || (hooks_.due && hooks_.due())))
+      hooks_.store(log_.next_part(ended));
   }
   if (!ended_by_.empty()) throw SimulationError(ended_by_, result());
   return result();

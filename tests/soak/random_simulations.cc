@@ -18,7 +18,7 @@ namespace {
 using namespace random_scenes;
 
 constexpr double kTo = 0.3;
-constexpr double kCell = 2.6;  // bodies of a reach below 1.3 do not overlap at the start
+constexpr double kCell = 2.8;  // bodies of a reach below 1.4 do not overlap at the start
 constexpr int kMoments = 4;
 
 struct Drawn {
@@ -57,7 +57,7 @@ Placement place_of(Random& random, int n, int number) {
   const int layer = n == 3 ? number / (kRow * kRow) : number / kRow;
   where.t[0] = kCell * (number % kRow);
   if (n == 3) where.t[1] = kCell * (number / kRow % kRow);
-  where.t[n - 1] = kCell * (0.52 + layer);
+  where.t[n - 1] = kCell * (0.5 + layer);
   return where;
 }
 

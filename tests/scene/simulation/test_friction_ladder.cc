@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/simulation/friction_passes.h"
+#include "scene/simulation/tuning.h"
 #include "tests/scene/simulation/small_islands.h"
 
 namespace raygauge::test_friction_ladder {
@@ -32,7 +33,8 @@ TEST(FrictionLadder, heaps_with_much_friction_are_solved) {
 TEST(FrictionLadder, many_contacts_are_solved_roughly_and_from_there_to_the_end) {
   small_islands::Random random(4);
   for (int trial = 0; trial < 10; ++trial) {
-    const FrictionIsland island = small_islands::heap(80, static_cast<int>(kManyContacts) + 60, 0.5, random);
+    const FrictionIsland island =
+        small_islands::heap(80, static_cast<int>(tuned::kManyContacts) + 60, 0.5, random);
     const double bound = island.bound_of_W();
     Eigen::VectorXd r = small_islands::zeros(island);
     const double rough = solve_friction(island, nullptr, r, true);
