@@ -59,14 +59,14 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
 }
 
 // Steps of projection to the cone, which come nearer always.
-[[gnu::noinline]] Eigen::Vector3d nearer(const ContactLanes& contact, const Four& b, const Four& last) {
+[[gnu::noinline]] Eigen::Vector3d nearer(const ContactLanes& contact, const Eigen::Vector3d& b,
+                                         Eigen::Vector3d r) {
   constexpr int kSteps = 8;
   Eigen::Matrix3d W;
   for (int k = 0; k < 3; ++k) W.col(k) << contact.W[k][0], contact.W[k][1], contact.W[k][2];
   const double rate = 1 / W.norm();
-  Eigen::Vector3d r(last[0], last[1], last[2]);
   for (int step = 0; step < kSteps; ++step) {
-    Eigen::Vector3d changed = W * r + Eigen::Vector3d(b[0], b[1], b[2]);
+    Eigen::Vector3d changed = W * r + b;
     changed[0] += contact.mu * changed.tail<2>().norm();
     r = nearest_in_cone(r - rate * changed, contact.mu);
   }
@@ -88,7 +88,7 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
   const double length = std::sqrt(x * x + y * y), share = mu / length;
   const double slope = contact.W[0][0] + share * (contact.W[1][0] * x + contact.W[2][0] * y);
   if (!(length > 0 && slope > 0) || u[1] * x + u[2] * y > 0) {
-    const Eigen::Vector3d r = nearer(contact, b, last);
+    const Eigen::Vector3d r = nearer(contact, {b[0], b[1], b[2]}, {last[0], last[1], last[2]});
     return Four{r[0], r[1], r[2], 0};
   }
   const double normal = -b[0] / slope;
@@ -97,46 +97,51 @@ ContactLanes lanes_of(const IslandContact& contact, int bodies) {
 
 }  // namespace
 
+// In turn one of the first half and one of the other: contacts of one body, which wait for each other, stand
+// side by side.
 IslandLanes::IslandLanes(const FrictionIsland& island)
     : bodies_(static_cast<std::size_t>(island.bodies) + 1) {
-  contacts_.reserve(island.contacts.size());
-  for (const IslandContact& contact : island.contacts) contacts_.push_back(lanes_of(contact, island.bodies));
+  const std::size_t count = island.contacts.size(), half = (count + 1) / 2;
+  contacts_.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t c = k % 2 == 0 ? k / 2 : half + k / 2;
+    contacts_.push_back(lanes_of(island.contacts[c], island.bodies));
+    contacts_.back().at = 3 * c;
+  }
 }
 
-RAYGAUGE_VECTORS void IslandLanes::add_all(const double* r) {
+RAYGAUGE_VECTORS void IslandLanes::add_all(const double* all) {
   for (BodyLanes& body : bodies_) body.y = Eight{};
   for (const ContactLanes& contact : contacts_) {
+    const double* const r = all + contact.at;
     const Four here{r[0], r[1], r[2], 0};
     push(contact.a, here, bodies_[contact.a.body].y);
     push(contact.b, here, bodies_[contact.b.body].y);
-    r += 3;
   }
 }
 
 void IslandLanes::reset(const Eigen::VectorXd& r) { add_all(r.data()); }
 
 RAYGAUGE_VECTORS void IslandLanes::pass(Eigen::VectorXd& impulses) {
-  double* r = impulses.data();
-  add_all(r);
+  add_all(impulses.data());
   for (const ContactLanes& contact : contacts_) {
     Eight &of_a = bodies_[contact.a.body].y, &of_b = bodies_[contact.b.body].y;
+    double* const r = impulses.data() + contact.at;
     const Four before{r[0], r[1], r[2], 0};
     const Four b = velocity(contact, of_a, of_b) - product(contact.W, before);
     const Four after = solved(contact, b, before), change = after - before;
     push(contact.a, change, of_a);
     push(contact.b, change, of_b);
     for (int k = 0; k < 3; ++k) r[k] = after[k];
-    r += 3;
   }
 }
 
 RAYGAUGE_VECTORS double IslandLanes::error(double s, const Eigen::VectorXd& impulses) const {
-  const double* r = impulses.data();
   double sum = 0;
   for (const ContactLanes& contact : contacts_) {
+    const double* const r = impulses.data() + contact.at;
     const Four u = velocity(contact, bodies_[contact.a.body].y, bodies_[contact.b.body].y);
     sum += law_error(contact.mu, {u[0], u[1], u[2]}, s, {r[0], r[1], r[2]});
-    r += 3;
   }
   return sum;
 }

@@ -22,6 +22,7 @@ struct ContactLanes {
   Side a, b;
   Four q = {};
   Four W[3] = {}, inverse[3] = {};  ///< columns of A_aᵀ A_a + A_bᵀ A_b, and of its inverse
+  std::size_t at = 0;               ///< of its impulse among all
   double mu = 0;
   double rate = 0;  ///< 1 / the mean of W across the normal
 };
