@@ -118,22 +118,19 @@ BodyFactors::Places BodyFactors::places_of(const IslandContact& contact) const {
 RAYGAUGE_VECTORS void BodyFactors::add(const IslandContact& contact, const Places& places,
                                        const Eigen::Matrix3d& M) {
   const int bodies[2] = {contact.a, contact.b};
-  const double* slopes[2] = {contact.A_a.data(), contact.A_b.data()};
-  const double* m = M.data();
+  const ContactSlope* const slopes[2] = {&contact.A_a, &contact.A_b};
   for (int side = 0; side < 2; ++side) {
     if (bodies[side] < 0) continue;
+    const ContactSlope& A = *slopes[side];
     Eight G[3], moved[3];
-    for (int k = 0; k < 3; ++k) {
-      const double* const g = slopes[side] + 6 * k;
-      G[k] = Eight{g[0], g[1], g[2], g[3], g[4], g[5], 0, 0};
-    }
-    for (int k = 0; k < 3; ++k) moved[k] = G[0] * m[3 * k] + G[1] * m[3 * k + 1] + G[2] * m[3 * k + 2];
+    for (int k = 0; k < 3; ++k) G[k] = Eight{A(0, k), A(1, k), A(2, k), A(3, k), A(4, k), A(5, k), 0, 0};
+    for (int k = 0; k < 3; ++k) moved[k] = G[0] * M(0, k) + G[1] * M(1, k) + G[2] * M(2, k);
     for (int other = 0; other < 2; ++other) {
       if (bodies[other] < 0) continue;
+      const ContactSlope& H = *slopes[other];
       Block& sum = blocks_[places[index(2 * side + other)]];
-      const double* const h = slopes[other];
       for (int j = 0; j < 6; ++j)
-        sum.column[j] += moved[0] * h[j] + moved[1] * h[6 + j] + moved[2] * h[12 + j];
+        sum.column[j] += moved[0] * H(j, 0) + moved[1] * H(j, 1) + moved[2] * H(j, 2);
     }
   }
 }

@@ -25,8 +25,8 @@ TEST(BodyFactors, solutions_are_those_of_the_dense_matrix) {
         D(1, 0) = -0.5 * stiffness * small_islands::some(random);
         factors.add(contact, factors.places_of(contact), D);
         Eigen::MatrixXd G = Eigen::MatrixXd::Zero(150, 3);
-        if (contact.a >= 0) G.middleRows(6 * contact.a, 6) = contact.A_a;
-        if (contact.b >= 0) G.middleRows(6 * contact.b, 6) = contact.A_b;
+        if (contact.a >= 0) G.middleRows(6L * contact.a, 6) = contact.A_a;
+        if (contact.b >= 0) G.middleRows(6L * contact.b, 6) = contact.A_b;
         dense += G * D * G.transpose();
       }
       const Eigen::VectorXd wanted = Eigen::VectorXd::Random(150), b = dense * wanted;
