@@ -22,7 +22,8 @@ void check_direction(const ConstVectorRef& u, int dimension) {
 
 ConvexSet::ConvexSet(int dimension) : dimension_(dimension) {
   if (dimension < 1) {
-    throw InvalidParameterError("dimension must be at least 1, got " + std::to_string(dimension));
+    throw InvalidParameterError("a set of dimension " + std::to_string(dimension) +
+                                ": its points have no coordinates");
   }
 }
 

@@ -111,7 +111,10 @@ class Scene:
     """
 
     def __init__(self, instants: ArrayLike = (0.0,)) -> None:
-        self._instants = np.array(instants, dtype=float)
+        try:
+            self._instants = np.array(instants, dtype=float)
+        except ValueError:
+            raise InvalidParameterError(f"scene: instants are times in seconds, got {instants!r}") from None
         self._bodies: list[dict[str, Any]] = []
         self._groups: dict[str, list[int]] = {}
         self._ignored: list[tuple[int, int]] = []

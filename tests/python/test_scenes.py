@@ -155,6 +155,7 @@ class Scenes(unittest.TestCase):
         other.add_body(3, rg.Ball([5, 0, 0]))
         self.assertRaisesRegex(rg.InvalidParameterError, "name cannot be 3", other.run)
         self.assertRaises(rg.Error, rg.Scene().run)
+        self.assertRaisesRegex(rg.InvalidParameterError, "instants are times in seconds, got 'name'", rg.Scene, "name")
         self.assertRaises(rg.Error, rg.Scene([1, 0]).run)
 
 
