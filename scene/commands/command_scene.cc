@@ -31,8 +31,6 @@
 #include "results/run/shards.h"
 #include "results/text/language.h"
 #include "results/text/words.h"
-#include "scene/commands/command_collisions.h"
-#include "scene/commands/command_simulate.h"
 #include "scene/commands/plan_motion.h"
 #include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"

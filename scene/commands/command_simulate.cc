@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/commands/command_simulate.h"
-
 #include <omp.h>
 
 #include <algorithm>
@@ -25,6 +23,7 @@
 #include "results/run/output_place.h"
 #include "results/text/language.h"
 #include "results/text/words.h"
+#include "scene/commands/command_scene.h"
 #include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"
 #include "scene/engines/loaded_engine.h"
