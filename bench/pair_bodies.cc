@@ -111,6 +111,7 @@ PosedPair make_pair(const std::string& one, const std::string& two, const std::s
   if (place == "touching") bring_near(pair, 0);
   if (place == "1e-9") bring_near(pair, 1e-9);
   if (place == "1e-4") bring_near(pair, 1e-4);
+  if (place == "slight") bring_near(pair, -0.01);
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.01, gaussian(random).normalized()));
   pair.moved_2 = Pose(turn.toRotationMatrix() * pair.pose_2.rotation(),
                       pair.pose_2.translation() + 0.002 * pair.size * gaussian(random).normalized());

@@ -23,8 +23,9 @@ struct PosedPair {
 std::vector<std::string> body_kinds();
 
 /// How pairs stand. "apart": centres 3 apart. Unfriendly ones: "touching", "1e-9" and "1e-4" (moved along the
-/// normal until they are so far apart), "overlap" (centres 0.3 apart), "concentric", "parallel" (poses
-/// without a rotation), "needles" (1e6 : 1), "large" and "small" (1e±6 times the size).
+/// normal until they are so far apart), "slight" (until they overlap by 0.01), "overlap" (centres 0.3 apart),
+/// "concentric", "parallel" (poses without a rotation), "needles" (1e6 : 1), "large" and "small" (1e±6 times
+/// the size).
 std::vector<std::string> pair_places();
 
 bool is_polytope(const std::string& kind);

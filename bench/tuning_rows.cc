@@ -7,6 +7,7 @@
 #include "engine/kernels/tuning.h"
 #include "engine/lp/tuning.h"
 #include "engine/meshes/tuning.h"
+#include "engine/methods/bodies/tuning.h"
 #include "engine/methods/column_generation/tuning.h"
 #include "engine/methods/nearest_point/tuning.h"
 #include "engine/methods/newton/tuning.h"
@@ -245,6 +246,34 @@ TunedMethod spatial() {
        {{"kFirstTilt", tuned::kFirstTilt}, {0.5, 1, 3, 6}, "curved, growth", growths}}};
 }
 
+TunedMethod bodies() {
+  const std::vector<std::pair<std::string, std::string>> kinds = {{"box", "cylinder"},
+                                                                  {"cylinder", "ellipsoid"},
+                                                                  {"cone", "pointed"},
+                                                                  {"box", "hull 200"},
+                                                                  {"hull 200", "hull 200"}};
+  const std::vector<std::pair<std::string, std::string>> rounded = {
+      {"ball", "cylinder"}, {"capsule", "ellipsoid"}, {"capsule", "cone"}, {"ball", "hull 200"}};
+  const std::string of_warm = "overlap, on a way";
+  const Workload warm = pairs(kinds, "overlap", PairAsk::depth_warm);
+  return {"bodies",
+          {{{"kShareOfCores", tuned::kShareOfCores},
+            {0.1, 0.25, 0.5, 1},
+            "balls and capsules, 0.01 deep",
+            pairs(rounded, "slight", PairAsk::depth)},
+           {{"kStepsWorthRecording", tuned::kStepsWorthRecording}, {0, 1, 6, 12}, of_warm, warm},
+           {{"kStepsWorthRecording", tuned::kStepsWorthRecording},
+            {0, 1, 6, 12},
+            "overlap, at rest",
+            pairs(kinds, "overlap", PairAsk::depth_at_rest)},
+           {{"kCornersWorthRecording", tuned::kCornersWorthRecording}, {16, 32, 64, 255}, of_warm, warm},
+           {{"kGrownPolytope", tuned::kGrownPolytope}, {1, 1.1, 1.5, 3}, of_warm, warm},
+           {{"kUnevenFacet", tuned::kUnevenFacet},
+            {0.25, 1, 1e3, 1e6},
+            "depths, n = 4, 5, 6, N = 200",
+            depths({{4, 200}, {5, 200}, {6, 200}})}}};
+}
+
 TunedMethod sets() {
   const Workload table = supports({3, 2000}), needle = supports({3, 2000}, true), tree = supports({5, 20000});
   return {"sets",
@@ -364,7 +393,7 @@ std::vector<TunedMethod> tuned_methods() {
   std::vector<TunedMethod> all;
   for (TunedMethod (*const of)() :
        {zheng_yamane, column_generation_starts, column_generation, samples, simplex, interior_point, threads,
-        euclidean_and_smooth, spatial, sets, trees, gauges_of_points, queries, simulation}) {
+        euclidean_and_smooth, spatial, bodies, sets, trees, gauges_of_points, queries, simulation}) {
     all.push_back(of());
   }
   return all;

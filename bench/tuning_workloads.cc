@@ -95,7 +95,20 @@ std::shared_ptr<const StreamedHull> streamed(Eigen::MatrixXd points) {
   return std::make_shared<const StreamedHull>([held] { return std::make_unique<MatrixStream>(held); });
 }
 
-// One pair, cold; or to and fro between two poses, each from the memory of the other.
+// Poses of the second body on a way of `steps` motions, there and back.
+std::vector<Pose> way_of(const PosedPair& pair, int steps) {
+  const Eigen::MatrixXd turn = pair.moved_2.rotation() * pair.pose_2.rotation().transpose();
+  const Vector step = pair.moved_2.translation() - pair.pose_2.translation();
+  std::vector<Pose> way{pair.pose_2};
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Quaterniond next(Eigen::Matrix3d(turn * way.back().rotation()));
+    way.emplace_back(next.normalized(), way.back().translation() + step);
+  }
+  for (int i = steps - 1; i > 0; --i) way.push_back(way[static_cast<std::size_t>(i)]);
+  return way;
+}
+
+// One pair, cold; or on a way, of depths a longer one, each from the memory of the last.
 Call ask_pair(std::shared_ptr<const PosedPair> pair, PairAsk ask) {
   if (ask == PairAsk::growth) {
     const auto solver = std::make_shared<GrowthDistanceSolver>();
@@ -103,7 +116,7 @@ Call ask_pair(std::shared_ptr<const PosedPair> pair, PairAsk ask) {
   }
   const auto metric = std::make_shared<Ball>(Vector::Zero(3), 1.0);
   const auto solver = std::make_shared<ObjectDistanceSolver>();
-  const bool deep = ask == PairAsk::depth || ask == PairAsk::depth_warm;
+  const bool deep = ask != PairAsk::distance && ask != PairAsk::warm;
   const ObjectEffects effects =
       deep ? ObjectEffects::closest_points | ObjectEffects::depth : ObjectEffects::closest_points;
   const auto solve = [=](const Pose& second, WarmStart* warm) {
@@ -111,9 +124,11 @@ Call ask_pair(std::shared_ptr<const PosedPair> pair, PairAsk ask) {
   };
   if (ask == PairAsk::distance || ask == PairAsk::depth) return [=] { solve(pair->pose_2, nullptr); };
   const auto warm = std::make_shared<WarmStart>();
-  return [=] {
-    solve(pair->moved_2, warm.get());
-    solve(pair->pose_2, warm.get());
+  const int steps = deep ? 24 : 1, asks = ask == PairAsk::depth_at_rest ? 10 : 1;
+  return [=, way = way_of(*pair, steps)] {
+    for (const Pose& pose : way) {
+      for (int i = 0; i < asks; ++i) solve(pose, warm.get());
+    }
   };
 }
 
@@ -159,6 +174,23 @@ Workload euclidean(const std::vector<Cell>& cells) {
         const auto solver = std::make_shared<ObjectDistanceSolver>();
         calls.emplace_back([=] { solver->solve(*sets->A, *sets->Q, *ball); });
       }
+    }
+    return all_of(std::move(calls));
+  };
+}
+
+Workload depths(const std::vector<Cell>& cells) {
+  return [=] {
+    Random random(1);
+    std::vector<Call> calls;
+    for (const Cell& cell : cells) {
+      Eigen::MatrixXd moved = sphere(cell.n, cell.N, random);
+      moved.colwise() += 0.3 * sphere(cell.n, 1, random).col(0);
+      const auto one = std::make_shared<PointSet>(sphere(cell.n, cell.N, random));
+      const auto other = std::make_shared<PointSet>(std::move(moved));
+      const auto ball = std::make_shared<Ball>(Vector::Zero(cell.n), 1.0);
+      const auto solver = std::make_shared<ObjectDistanceSolver>();
+      calls.emplace_back([=] { solver->solve(*one, *other, *ball, ObjectEffects::depth); });
     }
     return all_of(std::move(calls));
   };

@@ -31,6 +31,9 @@ Workload solves_of(Shapes shapes, const std::vector<int>& dimensions);
 /// Euclidean distances of two point sets by the nearest point of their difference.
 Workload euclidean(const std::vector<Cell>& cells);
 
+/// Depths of two hulls of points of the sphere, whose centres are 0.3 apart.
+Workload depths(const std::vector<Cell>& cells);
+
 /// Support points of a prepared set of N points of the sphere, along random directions; those of a needle are
 /// 10^4 times as far along one axis.
 Workload supports(Cell cell, bool needle = false);
@@ -48,8 +51,8 @@ Workload origins(const std::vector<Cell>& cells);
 Workload tori(int triangles);
 Workload torus_trees(int triangles);
 
-/// Pairs of bodies of R^3: pair_bodies.h.
-enum class PairAsk { distance, warm, growth, depth, depth_warm };
+/// Pairs of bodies of R^3: pair_bodies.h. At rest: each pose is asked ten times.
+enum class PairAsk { distance, warm, growth, depth, depth_warm, depth_at_rest };
 Workload pairs(const std::vector<std::pair<std::string, std::string>>& kinds, const std::string& place,
                PairAsk ask);
 

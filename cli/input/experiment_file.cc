@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "cli/input/experiment_components.h"
-#include "cli/input/toml_source.h"
-#include "cli/input/toml_values.h"
+#include "cli/input/toml_section.h"
 #include "raygauge/exceptions.h"
 
 namespace raygauge::cli {
@@ -22,73 +21,6 @@ constexpr Range kMinRepetitions{6, std::numeric_limits<int>::max()};
 constexpr Range kMinSeconds{0, 3600};
 constexpr Range kTimeLimit{0, std::numeric_limits<double>::infinity(), true};
 
-/// One section of the file. Keys that are absent leave the experiment's defaults alone.
-class Section {
- public:
-  /// `name` "" is the root.
-  Section(const TomlSource& source, std::string name, const std::vector<std::string>& known)
-      : name_(std::move(name)) {
-    table_ = &source.root;
-    if (!name_.empty()) {
-      const toml::node* node = source.root.get(name_);
-      table_ = node == nullptr ? nullptr : node->as_table();
-      if (node != nullptr && table_ == nullptr) {
-        throw InvalidParameterError(place_of(*node) + ": " + name_ + " must be a table, [" + name_ + "]");
-      }
-    }
-    if (table_ != nullptr) reject_unknown_keys(*table_, name_.empty() ? "key" : "[" + name_ + "] key", known);
-  }
-
-  /// `apply(node, full key)` if the key is there.
-  template <class Apply>
-  void with(const std::string& key, const Apply& apply) const {
-    const toml::node* node = table_ == nullptr ? nullptr : table_->get(key);
-    if (node != nullptr) apply(*node, name_.empty() ? key : name_ + "." + key);
-  }
-
-  void integer(const std::string& key, const Range& range, int& value) const {
-    with(key, [&](const toml::node& node, const std::string& full) {
-      value = static_cast<int>(read_integer(node, full, range));
-    });
-  }
-  void integers(const std::string& key, const Range& range, std::vector<int>& values) const {
-    with(key, [&](const toml::node& node, const std::string& full) {
-      const std::vector<std::int64_t> read = read_integers(node, full, range);
-      values.assign(read.begin(), read.end());
-    });
-  }
-  void real(const std::string& key, const Range& range, double& value) const {
-    with(key, [&](const toml::node& node, const std::string& full) { value = read_real(node, full, range); });
-  }
-  void boolean(const std::string& key, bool& value) const {
-    with(key, [&](const toml::node& node, const std::string& full) { value = read_boolean(node, full); });
-  }
-  void text(const std::string& key, std::string& value) const {
-    with(key, [&](const toml::node& node, const std::string& full) { value = read_text(node, full); });
-  }
-
-  /// One of a few words.
-  template <class T>
-  void choice(const std::string& key, const std::vector<std::pair<std::string, T>>& choices, T& value) const {
-    with(key, [&](const toml::node& node, const std::string& full) {
-      const std::string word = read_text(node, full);
-      std::vector<std::string> known;
-      for (const auto& [name, meaning] : choices) {
-        if (name == word) {
-          value = meaning;
-          return;
-        }
-        known.push_back(name);
-      }
-      throw UnknownNameError(full, word, known, place_of(node));
-    });
-  }
-
- private:
-  std::string name_;
-  const toml::table* table_ = nullptr;
-};
-
 /// The name becomes that of the results file, so it must be fit for one.
 void check_name(const toml::node& node, const std::string& name) {
   const bool fit = !name.empty() && name.front() != '.' && name.find('/') == std::string::npos &&
@@ -98,33 +30,29 @@ void check_name(const toml::node& node, const std::string& name) {
 }
 
 void read_root(const TomlSource& source, Experiment& experiment) {
-  const Section root(source, "", {"name", "description", "sweep", "generator", "method", "run"});
+  const TomlSection root(source, "", {"name", "description", "sweep", "generator", "method", "run"});
   root.text("name", experiment.name);
   root.text("description", experiment.description);
   root.with("name", [&](const toml::node& node, const std::string&) { check_name(node, experiment.name); });
 }
 
 void read_sweep(const TomlSource& source, Experiment& experiment) {
-  const Section sweep(
+  const TomlSection sweep(
       source, "sweep",
       {"n", "N", "tolerance", "grid", "repetitions", "min_repetitions", "stop_when_within", "seed"});
   sweep.integers("n", kPositiveInt, experiment.n);
   sweep.integers("N", kPositiveInt, experiment.N);
-  sweep.with("tolerance", [&](const toml::node& node, const std::string& key) {
-    experiment.tolerance = read_reals(node, key, kTolerance);
-  });
+  sweep.reals("tolerance", kTolerance, experiment.tolerance);
   sweep.choice("grid", {{"cartesian", GridMode::cartesian}, {"paired", GridMode::paired}}, experiment.grid);
   sweep.integer("repetitions", kPositiveInt, experiment.repetitions);
   sweep.integer("min_repetitions", kMinRepetitions, experiment.min_repetitions);
   sweep.real("stop_when_within", kStopWhenWithin, experiment.stop_when_within);
-  sweep.with("seed", [&](const toml::node& node, const std::string& key) {
-    experiment.seed = static_cast<std::uint64_t>(read_integer(node, key, kSeed));
-  });
+  sweep.integer("seed", kSeed, experiment.seed);
 }
 
 void read_run(const TomlSource& source, Experiment& experiment) {
-  const Section run(source, "run",
-                    {"threads", "timing", "pin_threads", "warmup", "min_seconds", "time_limit", "shuffle"});
+  const TomlSection run(
+      source, "run", {"threads", "timing", "pin_threads", "warmup", "min_seconds", "time_limit", "shuffle"});
   run.integer("threads", kNonNegativeInt, experiment.threads);
   run.choice("timing", {{"serial", TimingMode::serial}, {"parallel", TimingMode::parallel}},
              experiment.timing);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "cli/input/toml_refusal.h"
 #include "raygauge/exceptions.h"
 #include "results/text/words.h"
 
@@ -100,6 +101,11 @@ std::vector<T> read_list(const toml::node& node, const std::string& key, const R
 }
 
 }  // namespace
+
+const toml::table& read_table(const toml::node& node, const std::string& key) {
+  if (const toml::table* table = node.as_table()) return *table;
+  refuse(node, key + " must be a table");
+}
 
 bool read_boolean(const toml::node& node, const std::string& key) {
   if (!node.is_boolean()) reject(node, key, "true or false");

@@ -22,6 +22,7 @@ struct Range {
 // Strict readers of TOML values. `key` is the full name for messages ("sweep.n"). They throw
 // InvalidParameterError, with file and line, for a value of another type or outside its range.
 
+const toml::table& read_table(const toml::node& node, const std::string& key);
 bool read_boolean(const toml::node& node, const std::string& key);
 std::string read_text(const toml::node& node, const std::string& key);
 std::int64_t read_integer(const toml::node& node, const std::string& key, const Range& range);

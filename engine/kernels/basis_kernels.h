@@ -6,7 +6,7 @@
 
 #include <type_traits>
 
-#include "engine/kernels/pack.h"
+#include "engine/kernels/support_kernels.h"
 
 namespace raygauge::RAYGAUGE_ISA {
 namespace {
@@ -26,6 +26,29 @@ inline int packs(const BasisView& basis) {
 template <int N>
 inline int rows(const BasisView& basis) {
   return N > 0 ? N + 1 : basis.m;
+}
+
+// f(V, N), both as constants where there are kernels for them, else 0.
+template <class F>
+inline auto with_size(const BasisView& basis, F f) {
+  return with_dimension(basis.m - 1, [&](auto N) {
+    constexpr int kDimension = decltype(N)::value;
+    using std::integral_constant;
+    if constexpr (kDimension > 0) {
+      return f(integral_constant<int, (kDimension + kRowPadding) / kRowPadding>{}, N);
+    } else {
+      switch (basis.P / kRowPadding) {
+        case 1:
+          return f(integral_constant<int, 1>{}, N);
+        case 2:
+          return f(integral_constant<int, 2>{}, N);
+        case 3:
+          return f(integral_constant<int, 3>{}, N);
+        default:
+          return f(integral_constant<int, 0>{}, N);
+      }
+    }
+  });
 }
 
 // w = (R - G ρᵀ) column, rows of R in registers.
@@ -274,45 +297,10 @@ PivotResult pivot_vn(BasisView* basis, const double* column, double cost, double
 
 PivotResult pivot(BasisView* basis, const double* column, double cost, double reduced_cost, std::int64_t id,
                   bool bland, std::int64_t* left) {
-  const auto with = [&](auto V, auto N) {
+  return with_size(*basis, [&](auto V, auto N) {
     return pivot_vn<decltype(V)::value, decltype(N)::value>(basis, column, cost, reduced_cost, id, bland,
                                                             left);
-  };
-  using std::integral_constant;
-  const auto rows = [&](auto V, auto m) { return with(V, integral_constant<int, decltype(m)::value - 1>{}); };
-  integral_constant<int, 1> one;
-  integral_constant<int, 2> two;
-  integral_constant<int, 0> any;
-  switch (basis->m) {
-    case 3:
-      return rows(one, integral_constant<int, 3>{});
-    case 4:
-      return rows(one, integral_constant<int, 4>{});
-    case 5:
-      return rows(one, integral_constant<int, 5>{});
-    case 6:
-      return rows(one, integral_constant<int, 6>{});
-    case 7:
-      return rows(one, integral_constant<int, 7>{});
-    case 8:
-      return rows(one, integral_constant<int, 8>{});
-    case 9:
-      return rows(two, integral_constant<int, 9>{});
-    case 10:
-      return rows(two, integral_constant<int, 10>{});
-    default:
-      break;
-  }
-  switch (basis->P / kRowPadding) {
-    case 1:
-      return with(one, any);
-    case 2:
-      return with(two, any);
-    case 3:
-      return with(integral_constant<int, 3>{}, any);
-    default:
-      return with(any, any);
-  }
+  });
 }
 
 }  // namespace

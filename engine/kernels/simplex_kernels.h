@@ -145,38 +145,9 @@ LoopEnd simplex_loop_vn(BasisView* basis, SimplexLoop* loop) {
 }
 
 LoopEnd simplex_loop(BasisView* basis, SimplexLoop* loop) {
-  switch (basis->m - 1) {
-    case 2:
-      return simplex_loop_vn<1, 2>(basis, loop);
-    case 3:
-      return simplex_loop_vn<1, 3>(basis, loop);
-    case 4:
-      return simplex_loop_vn<1, 4>(basis, loop);
-    case 5:
-      return simplex_loop_vn<1, 5>(basis, loop);
-    case 6:
-      return simplex_loop_vn<1, 6>(basis, loop);
-    case 7:
-      return simplex_loop_vn<1, 7>(basis, loop);
-    case 8:
-      return simplex_loop_vn<2, 8>(basis, loop);
-    case 9:
-      return simplex_loop_vn<2, 9>(basis, loop);
-    case 10:
-      return simplex_loop_vn<2, 10>(basis, loop);
-    default:
-      break;
-  }
-  switch (basis->P / kRowPadding) {
-    case 1:
-      return simplex_loop_vn<1, 0>(basis, loop);
-    case 2:
-      return simplex_loop_vn<2, 0>(basis, loop);
-    case 3:
-      return simplex_loop_vn<3, 0>(basis, loop);
-    default:
-      return simplex_loop_vn<0, 0>(basis, loop);
-  }
+  return with_size(*basis, [&](auto V, auto N) {
+    return simplex_loop_vn<decltype(V)::value, decltype(N)::value>(basis, loop);
+  });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/kernels/kernel.h"
+#include "engine/methods/bodies/tuning.h"
 #include "engine/methods/spatial/active_pieces.h"
 #include "engine/methods/spatial/gjk.h"
 
@@ -201,7 +202,8 @@ bool BodyDepth::solve_apart(double tolerance, const PairStart* start, BodyDepthA
     if (!known || cores_.answer().end != SpatialEnd::closed) break;
     bound_apart(answer);
     if (is_close()) break;
-    asked = std::max(kExact, 0.25 * tolerance * answer.bounds.upper() / cores_.answer().bounds.upper());
+    asked = std::max(
+        kExact, tuned::kShareOfCores * tolerance * answer.bounds.upper() / cores_.answer().bounds.upper());
   }
   if (!is_close()) refine_apart(answer);
   normal_ = -pair_.frame().to_body(&answer.normal.x);
@@ -283,11 +285,8 @@ bool BodyDepth::search_again(double tolerance, const DepthMemory& memory, const 
 
 void BodyDepth::search(double tolerance, const PairStart* start, const Stopwatch& watch,
                        BodyDepthAnswer& answer) {
-  constexpr double kDeep = 0.5;  // of a ball inside: all sides are near, and that of the centres begins best
-  const Vector3& between = pair_.between_centers();
   const double* normal = start != nullptr ? recorded_normal(*start, pair_.dimension()) : nullptr;
-  const bool has_start = normal != nullptr && !(length(between) < kDeep * pair_.inner_radius());
-  const Vector3 given = has_start ? -pair_.frame().to_body(normal) : between;
+  const Vector3 given = normal != nullptr ? -pair_.frame().to_body(normal) : pair_.between_centers();
   const Vector3 u = dot(given, given) > 0 ? given * (1 / length(given)) : Vector3{1, 0, 0};
   const double ball_lower = down(ball_lower_), ball_upper = up(ball_upper_);
   SpatialOracle oracle(pair_);

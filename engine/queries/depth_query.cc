@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/methods/bodies/general_oracle.h"
+#include "engine/numerics/floating_point.h"
 #include "engine/numerics/vector_kernels.h"
+#include "engine/queries/spatial_query.h"
 #include "engine/sets/posed_view.h"
 #include "engine/sets/spatial_shape.h"
 
@@ -15,7 +16,6 @@ namespace raygauge {
 namespace {
 
 constexpr double kUp = 1 + 0x1p-50, kDown = 1 - 0x1p-50;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 void put(const Vector3& v, int n, double scale, Vector& out) {
   if (out.size() != n) out.resize(n);
@@ -55,13 +55,13 @@ void DepthQuery::solve_sets(const ConvexSet& A1, const ConvexSet& A2, const Conv
   result.lower = std::max(0.0, search_.lower());
   result.upper = search_.upper();
   result.status = result.upper == 0 ? DistanceStatus::optimal : status_of(end);
-  if (result.lower == kInfinite) result.status = DistanceStatus::unreachable;
+  if (result.lower == kInfinity) result.status = DistanceStatus::unreachable;
   result.iterations = search_.iterations();
   result.support_queries = oracle.queries();
   Vector3 normal = search_.normal(), a1, a2;
   for (int k = n; k < 3; ++k) (&normal.x)[k] = 0;
   const double height = oracle.metric_upper(normal);
-  put(normal, result.upper < kInfinite && height > 0 ? n : 0, 1 / height, result.normal);
+  put(normal, result.upper < kInfinity && height > 0 ? n : 0, 1 / height, result.normal);
   // The ray that leaves D across u first: depth q with h_Q(u) = u·q. Of a ball it is the one along u.
   Vector3 q = normal;
   Q.support_unchecked(&normal.x, &q.x);
@@ -76,7 +76,7 @@ void DepthQuery::solve_hull(const ConvexSet& A1, const ConvexSet& A2, const Conv
   result.lower = hull_.lower();
   result.upper = hull_.upper();
   result.status = result.upper == 0 ? DistanceStatus::optimal : status_of(end);
-  if (result.lower == kInfinite) result.status = DistanceStatus::unreachable;
+  if (result.lower == kInfinity) result.status = DistanceStatus::unreachable;
   result.iterations = hull_.iterations();
   result.support_queries = hull_.queries();
   hull_.put_normal(result.normal);
@@ -93,7 +93,7 @@ void DepthQuery::bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, cons
   Q.magnitude_unchecked(of_Q.data());
   const double unit = ConvexSet::rounding_error(n + 1);
   result.lower = 0;
-  result.upper = kInfinite;
+  result.upper = kInfinity;
   result.status = DistanceStatus::precision_limit;
   for (int i = 0; i < 2 * n; ++i) {
     const int k = i / 2;
@@ -102,7 +102,7 @@ void DepthQuery::bound_along_axes(const ConvexSet& A1, const ConvexSet& A2, cons
     double height = A2.support_unchecked(u.data(), point.data());
     u[k] = -u[k];
     height += A1.support_unchecked(u.data(), point.data()) + unit * (of_1[k] + of_2[k]);
-    const double upper = metric > 0 ? std::max(0.0, height / metric * kUp) : kInfinite;
+    const double upper = metric > 0 ? std::max(0.0, height / metric * kUp) : kInfinity;
     if (upper < result.upper) {
       result.upper = upper;
       result.normal = u * (-1 / metric);
@@ -117,9 +117,9 @@ void DepthQuery::solve(const Posed& A1, const Posed& A2, const ConvexSet& Q, con
                        ObjectDepth& result) {
   watch_.start(std::isnan(seconds) ? options.time_limit : std::max(0.0, options.time_limit - seconds), &stop);
   const double radius = radius_of_ball(Q);
-  const bool fixed_size = options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
   result.iterations = result.support_queries = 0;
-  by_bodies_ = fixed_size && radius > 0 && solve_bodies(A1, A2, radius, options, start, result);
+  by_bodies_ =
+      is_open_to_bodies(options) && radius > 0 && solve_bodies(A1, A2, radius, options, start, result);
   if (!by_bodies_) {
     const InPose first(A1), second(A2);
     const int n = Q.dimension();

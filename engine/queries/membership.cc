@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "engine/queries/growth_body.h"
-#include "engine/queries/membership_options.h"
+#include "engine/queries/point_gauges.h"
 #include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"
 #include "engine/sets/posed_view.h"

@@ -16,7 +16,6 @@
 #include "engine/numerics/aligned_buffer.h"
 #include "engine/numerics/floating_point.h"
 #include "engine/proof/certificate.h"
-#include "engine/queries/membership_options.h"
 #include "engine/queries/point_gauges.h"
 #include "engine/sets/capability_queries.h"
 #include "engine/sets/parameters.h"

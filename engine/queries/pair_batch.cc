@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/queries/separation_bins.h"
+#include "engine/queries/spatial_query.h"
 #include "engine/sets/parameters.h"
 #include "engine/threads/chunk_team.h"
 #include "engine/threads/shared_tools.h"
@@ -179,11 +180,6 @@ struct PairBatch::Team {
     return *solver;
   }
 
-  // Whether vectors of pairs may answer what the options ask for; see Ladder.
-  bool has_lanes() const {
-    return options.method != DistanceMethod::zheng_yamane && options.max_iterations == 0;
-  }
-
   // work(first, last) for all chunks of 0 … count - 1, on all threads.
   template <class Work>
   void run(std::ptrdiff_t count, const Work& work) {
@@ -321,7 +317,7 @@ void PairBatch::separate(std::size_t count, const Source& pairs, int n, const Se
                             std::size_t& at) {
     if (!member.separation) member.separation.emplace(team_->options.instruction_set);
     member.separation->begin(answers);
-    for (at = first; n == 3 && team_->has_lanes() && at < last; ++at) {
+    for (at = first; n == 3 && is_open_to_bodies(team_->options) && at < last; ++at) {
       const PosedPair& pair = pairs(at, thread);
       if (pair.first.dimension() == n && pair.second.dimension() == n) member.separation->add(pair, at);
     }

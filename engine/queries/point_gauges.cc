@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "engine/numerics/floating_point.h"
-#include "engine/queries/membership_options.h"
 #include "engine/queries/tuning.h"
 
 namespace raygauge {

@@ -14,6 +14,9 @@
 
 namespace raygauge {
 
+/// For gauges of S at points.
+DistanceOptions options_of_membership(const ConvexSet& S, double tolerance);
+
 /// Bounds of the gauges of a set at some columns of X: by walks over the facets of a hull of points where
 /// they are many, by single solves otherwise. Solvers and facets are kept.
 class PointGauges {

@@ -3,10 +3,10 @@
 #include "engine/queries/streamed_hull.h"
 
 #include <algorithm>
-#include <limits>
 #include <typeinfo>
 #include <utility>
 
+#include "engine/numerics/floating_point.h"
 #include "engine/queries/streamed_set.h"
 
 namespace raygauge {
@@ -18,7 +18,6 @@ StreamedHull::StreamedHull(Open open) : ConvexSet(open()->dimension()), open_(st
 }
 
 double StreamedHull::do_support(const double* u, double* point) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   StreamedSet streamed(open_());
   double level = -kInfinity;
   streamed.stream().pass([&](const StreamedPoints& part) {

@@ -17,22 +17,9 @@ namespace raygauge {
 namespace fs = std::filesystem;
 namespace {
 
-/// How the parts of a kind are called: their number stands between the two.
-struct PartKind {
-  std::string_view prefix;
-  std::string_view suffix;
-};
-
 constexpr std::string_view kLockName = "lock";
-constexpr PartKind kJournal = {"cells-", ".csv"};
-constexpr PartKind kSession = {"session-", ".h5"};
-
-std::string part_name(const PartKind& kind, std::uint64_t number) {
-  constexpr std::size_t kWidth = 4;
-  const std::string digits = std::to_string(number);
-  const std::string zeros(digits.size() < kWidth ? kWidth - digits.size() : 0, '0');
-  return std::string(kind.prefix) + zeros + digits + std::string(kind.suffix);
-}
+constexpr PartKind kJournal = {"cells-", ".csv", 4};
+constexpr PartKind kSession = {"session-", ".h5", 4};
 
 /// The number of a part, if `name` is exactly what part_name makes of it.
 std::optional<std::uint64_t> part_number(const PartKind& kind, std::string_view name) {
@@ -67,6 +54,16 @@ void remove_temporary_files(const fs::path& folder) {
 }  // namespace
 
 fs::path parts_folder(const fs::path& target) { return target.string() + ".parts"; }
+
+std::string part_name(const PartKind& kind, std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  const std::string zeros(digits.size() < kind.digits ? kind.digits - digits.size() : 0, '0');
+  return std::string(kind.prefix) + zeros + digits + std::string(kind.suffix);
+}
+
+void write_part(const fs::path& path, std::string_view bytes) {
+  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+}
 
 std::vector<fs::path> parts_named(const fs::path& target, std::string_view prefix) {
   std::vector<fs::path> parts;
@@ -119,8 +116,7 @@ fs::path RunDirectory::journal_path(std::uint64_t session) const {
 }
 
 void RunDirectory::store_session(std::uint64_t session, const std::string& bytes) const {
-  const fs::path path = folder_ / part_name(kSession, session);
-  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+  write_part(folder_ / part_name(kSession, session), bytes);
 }
 
 void RunDirectory::store_target(const std::string& bytes) const {

@@ -33,6 +33,16 @@ struct PartList {
 /// Of files that are being written.
 inline constexpr std::string_view kTemporarySuffix = ".tmp";
 
+/// How the parts of a kind are called: their number, in so many digits, stands between prefix and suffix.
+struct PartKind {
+  std::string_view prefix, suffix = ".h5";
+  std::size_t digits = 6;
+};
+std::string part_name(const PartKind& kind, std::uint64_t number);
+
+/// Replaces `path` in a folder of parts, as write_atomically() does.
+void write_part(const std::filesystem::path& path, std::string_view bytes);
+
 /// TARGET.parts.
 std::filesystem::path parts_folder(const std::filesystem::path& target);
 

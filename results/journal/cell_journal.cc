@@ -33,7 +33,7 @@ std::string journal_head() { return format_mark() + std::to_string(kSchemaVersio
 
 /// `path`, where there is now a journal without cells.
 fs::path created(const fs::path& path) {
-  write_atomically(path, journal_head(), path.string() + std::string(kTemporarySuffix));
+  write_part(path, journal_head());
   return path;
 }
 

@@ -28,6 +28,22 @@ std::string csv_rows(const std::vector<Record>& records, int time_digits = 17);
 /// One field of it.
 std::string csv_field(const Value& value);
 
+/// Any table as CSV, but for a column `left_out`; entry(column, row) is a field.
+template <class Row, class Entry>
+std::string csv_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows,
+                      const Entry& entry, std::string_view left_out = "") {
+  std::string text;
+  for (const Column<Row>& column : columns)
+    if (column.name != left_out) text += column.name + ',';
+  text.back() = '\n';
+  for (const Row& row : rows) {
+    for (const Column<Row>& column : columns)
+      if (column.name != left_out) text += entry(column, row) + ',';
+    text.back() = '\n';
+  }
+  return text;
+}
+
 /// The inverse of csv_rows(), bit for bit where it wrote all digits. Throws ResultsError that names row (from
 /// 1) and column: "row 3, column seconds: 'soon' is not of type float64".
 std::vector<Record> read_csv_rows(std::string_view rows);

@@ -1,7 +1,5 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/commands/command_collisions.h"
-
 #include <omp.h>
 
 #include <algorithm>
@@ -26,6 +24,7 @@
 #include "results/text/language.h"
 #include "results/text/words.h"
 #include "scene/commands/collision_journal.h"
+#include "scene/commands/command_scene.h"
 #include "scene/commands/scene_input.h"
 #include "scene/input/srdf_file.h"
 #include "scene/planning/collision_matrix.h"

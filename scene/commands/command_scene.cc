@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -31,8 +30,6 @@
 #include "results/run/shards.h"
 #include "results/text/language.h"
 #include "results/text/words.h"
-#include "scene/commands/command_collisions.h"
-#include "scene/commands/command_simulate.h"
 #include "scene/commands/plan_motion.h"
 #include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"
@@ -41,25 +38,15 @@
 namespace raygauge::cli {
 namespace {
 
-struct SceneArguments {
-  SceneInput input;
-  std::string output;
-  int threads = 0;
+struct SceneArguments : RunArguments {
   std::optional<Shard> shard;
-  bool resume = false;
-  bool force = false;
-  bool quiet = false;
   bool json = false;
   bool plan = false;  ///< of a path, before the queries are answered
   PlanOptions planning;
 };
 
 std::string resume_command(const SceneArguments& arguments, const std::string& output) {
-  std::string command = language::shell(program_invocation_name) + " scene run " +
-                        language::shell(arguments.input.path) + " -o " + language::shell(output);
-  for (const std::string& text : arguments.input.overrides) command += " --set " + language::shell(text);
-  for (const std::string& text : arguments.input.packages) command += " --package " + language::shell(text);
-  if (arguments.input.skip_missing_meshes) command += " --skip-missing-meshes";
+  std::string command = command_line_of("run", arguments.input, output);
   if (arguments.shard) {
     command +=
         " --shard " + std::to_string(arguments.shard->index) + "/" + std::to_string(arguments.shard->count);
@@ -74,9 +61,7 @@ void print_end(const SceneFile& file, const SceneSummary& summary, const std::st
               summary.threads == 1 ? "thread" : "threads", file.records.size());
   std::fputs(tally_text(file).c_str(), stdout);
   std::fputs(event_text(file).c_str(), stdout);
-  std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path.c_str(),
-              language::shell(program_invocation_name).c_str(), language::shell(path).c_str(),
-              language::shell(path.substr(0, path.rfind(".h5"))).c_str());
+  print_place(path);
 }
 
 /// The processes that work on a scene: this one alone, or the ranks of a job.
@@ -292,17 +277,6 @@ int explain(const SceneArguments& arguments) {
   }
   std::fputs(arguments.json ? (json_text(json) + "\n").c_str() : text.c_str(), stdout);
   return kAnswered;
-}
-
-void add_run_options(Command& command, SceneArguments& arguments) {
-  command
-      .add_option("-o,--output", arguments.output,
-                  "Results file; default: out/NAME.h5, NAME being the scene's")
-      .type_name("FILE.h5");
-  command.add_option("--threads", arguments.threads, "Threads; 0: one for each core")
-      .range(0, 65536)
-      .type_name("K");
-  command.add_flag("-q,--quiet", arguments.quiet, "Print errors only");
 }
 
 void add_plan_command(Command& scene, const std::shared_ptr<SceneArguments>& arguments, int& status) {

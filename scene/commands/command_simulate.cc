@@ -1,11 +1,8 @@
 // Copyright (c) 2026 The raygauge authors
 // SPDX-License-Identifier: MIT
-#include "scene/commands/command_simulate.h"
-
 #include <omp.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -25,6 +22,7 @@
 #include "results/run/output_place.h"
 #include "results/text/language.h"
 #include "results/text/words.h"
+#include "scene/commands/command_scene.h"
 #include "scene/commands/scene_input.h"
 #include "scene/commands/scene_text.h"
 #include "scene/engines/loaded_engine.h"
@@ -37,14 +35,8 @@
 namespace raygauge::cli {
 namespace {
 
-struct SimulateArguments {
-  SceneInput input;
-  std::string output;
+struct SimulateArguments : RunArguments {
   std::string steps, tolerances, engines;
-  int threads = 0;
-  bool resume = false;
-  bool force = false;
-  bool quiet = false;
 };
 
 SceneInput input_of(const SimulateArguments& arguments) {
@@ -94,16 +86,6 @@ void check_start(const SceneSource& source, const std::string& path) {
   } catch (const InvalidParameterError& error) {
     throw InvalidParameterError(path + ": " + error.what());
   }
-}
-
-std::string resume_command(const SimulateArguments& arguments, const std::string& output) {
-  const SceneInput input = input_of(arguments);
-  std::string command = language::shell(program_invocation_name) + " scene simulate " +
-                        language::shell(input.path) + " -o " + language::shell(output);
-  for (const std::string& text : input.overrides) command += " --set " + language::shell(text);
-  for (const std::string& text : input.packages) command += " --package " + language::shell(text);
-  if (input.skip_missing_meshes) command += " --skip-missing-meshes";
-  return command + " --resume";
 }
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -227,7 +209,7 @@ class SimulateJob {
 
   int say_interrupted() const {
     std::fprintf(stderr, "interrupted: all steps that were done are safe; continue with\n  %s\n",
-                 resume_command(arguments_, path_).c_str());
+                 (command_line_of("simulate", input_of(arguments_), path_) + " --resume").c_str());
     return interrupted_status();
   }
 
@@ -237,9 +219,7 @@ class SimulateJob {
                 simulations_text(*file.simulation, source_.dynamics->contact.has_value()).c_str());
     if (moved_at_start_ > 0)
       std::printf("  start      bodies moved apart by %.3g at most\n", moved_at_start_);
-    std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path_.c_str(),
-                language::shell(program_invocation_name).c_str(), language::shell(path_).c_str(),
-                language::shell(path_.substr(0, path_.rfind(".h5"))).c_str());
+    print_place(path_);
   }
 
   const SimulateArguments& arguments_;
@@ -266,10 +246,7 @@ void add_simulate_command(Command& scene, int& status) {
   Command command = scene.add_subcommand(
       "simulate", "Let the bodies of a scene react, and answer its queries of that motion");
   add_source_options(command, arguments->input);
-  command
-      .add_option("-o,--output", arguments->output,
-                  "Results file; default: out/NAME.h5, NAME being the scene's")
-      .type_name("FILE.h5");
+  add_run_options(command, *arguments);
   command
       .add_option(
           "--step", arguments->steps,
@@ -284,14 +261,10 @@ void add_simulate_command(Command& scene, int& status) {
                   "raygauge, bullet, ode, mujoco, or a list of them, in place of dynamics.engine; of other "
                   "engines' motions the least signed distance is proven")
       .type_name("NAME");
-  command.add_option("--threads", arguments->threads, "Threads; 0: one for each core")
-      .range(0, 65536)
-      .type_name("K");
   const Option resume =
       command.add_flag("--resume", arguments->resume, "Continue a simulation that was killed or interrupted");
   command.add_flag("--force", arguments->force, "Replace an existing results file of a scene")
       .excludes(resume);
-  command.add_flag("-q,--quiet", arguments->quiet, "Print errors only");
   command.callback([arguments, &status] { status = SimulateJob(*arguments).run(); });
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/commands/scene_input.h"
 
+#include <cerrno>
+#include <cstdio>
 #include <map>
 
 #include "cli/console/input_options.h"
@@ -65,6 +67,32 @@ void add_source_options(Command& command, SceneInput& input) {
       .expected(1)
       .take_all();
   add_mesh_options(command, input);
+}
+
+void add_run_options(Command& command, RunArguments& arguments) {
+  command
+      .add_option("-o,--output", arguments.output,
+                  "Results file; default: out/NAME.h5, NAME being the scene's")
+      .type_name("FILE.h5");
+  command.add_option("--threads", arguments.threads, "Threads; 0: one for each core")
+      .range(0, 65536)
+      .type_name("K");
+  command.add_flag("-q,--quiet", arguments.quiet, "Print errors only");
+}
+
+std::string command_line_of(const std::string& name, const SceneInput& input, const std::string& output) {
+  std::string command = language::shell(program_invocation_name) + " scene " + name + " " +
+                        language::shell(input.path) + " -o " + language::shell(output);
+  for (const std::string& text : input.overrides) command += " --set " + language::shell(text);
+  for (const std::string& text : input.packages) command += " --package " + language::shell(text);
+  if (input.skip_missing_meshes) command += " --skip-missing-meshes";
+  return command;
+}
+
+void print_place(const std::string& path) {
+  std::printf("  results    %s\n  next       %s report %s -o %s.html\n", path.c_str(),
+              language::shell(program_invocation_name).c_str(), language::shell(path).c_str(),
+              language::shell(path.substr(0, path.rfind(".h5"))).c_str());
 }
 
 void add_mesh_options(Command& command, SceneInput& input) {

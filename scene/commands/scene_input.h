@@ -20,7 +20,26 @@ struct SceneInput {
   bool skip_missing_meshes = false;
 };
 
+/// What every command that stores the results of a scene takes.
+struct RunArguments {
+  SceneInput input;
+  std::string output;
+  int threads = 0;
+  bool resume = false;
+  bool force = false;
+  bool quiet = false;
+};
+
 void add_source_options(Command& command, SceneInput& input);
+
+/// --output, --threads and --quiet.
+void add_run_options(Command& command, RunArguments& arguments);
+
+/// The line of a shell that runs `raygauge scene NAME` on the same input once more.
+std::string command_line_of(const std::string& name, const SceneInput& input, const std::string& output);
+
+/// Where the results are, and what makes a page of them.
+void print_place(const std::string& path);
 
 /// --package, --skip-missing-meshes and --max-input alone.
 void add_mesh_options(Command& command, SceneInput& input);

@@ -238,18 +238,10 @@ std::vector<std::string> distinct_query_names(const SceneFile& file) {
 
 std::string scene_csv(const SceneFile& file) {
   const std::vector<std::string> queries = distinct_query_names(file);
-  std::string text;
-  const auto& columns = scene_record_columns();
-  for (const auto& column : columns) text += (text.empty() ? "" : ",") + column.name;
-  text += '\n';
-  for (const SceneRow& row : file.records) {
-    for (const auto& column : columns) {
-      if (&column != &columns.front()) text += ',';
-      text += exported(file, queries, column, row);
-    }
-    text += '\n';
-  }
-  return text;
+  return csv_table(scene_record_columns(), file.records,
+                   [&](const Column<SceneRow>& column, const SceneRow& row) {
+                     return exported(file, queries, column, row);
+                   });
 }
 
 }  // namespace raygauge

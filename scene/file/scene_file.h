@@ -58,8 +58,8 @@ struct SceneQueryRow {
   double contact = 0;
 };
 
-/// What a results file of a scene holds.
-struct SceneFile {
+/// What describes a scene.
+struct SceneHead {
   std::string name;
   std::string text;      ///< the TOML source
   std::string identity;  ///< what makes two scenes the same: names of bodies, queries, instants, all numbers
@@ -68,6 +68,10 @@ struct SceneFile {
   std::vector<Session> sessions;
   std::vector<SceneBodyRow> bodies;
   std::vector<SceneQueryRow> queries;
+};
+
+/// What a results file of a scene holds.
+struct SceneFile : SceneHead {
   std::vector<SceneRow> records;
   std::vector<SceneTallyRow> tallies;
   std::vector<SceneCellRow> cells;

@@ -81,7 +81,8 @@ class SceneJoin {
  public:
   void add(SceneFile part, const fs::path& path, const MergeOptions& options) {
     if (kept_.empty() && all_.sessions.empty()) {
-      take_head(part);
+      static_cast<SceneHead&>(all_) = part;
+      all_.sessions.clear();
     } else {
       require_same(all_, part, path, options);
     }
@@ -107,15 +108,6 @@ class SceneJoin {
     RowRange tallies;
     RowRange cell;
   };
-
-  void take_head(const SceneFile& part) {
-    all_.name = part.name;
-    all_.text = part.text;
-    all_.identity = part.identity;
-    all_.cell_count = part.cell_count;
-    all_.bodies = part.bodies;
-    all_.queries = part.queries;
-  }
 
   void add_cell(const SceneFile& part, const SceneCellRow& cell, const fs::path& path) {
     const auto records = rows_of(part.records, cell.cell);

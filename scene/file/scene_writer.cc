@@ -16,31 +16,19 @@ namespace raygauge {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kPart = "scene-";
+constexpr PartKind kPart{"scene-"};
 constexpr const char* kHeadName = "scene-head.h5";  ///< read after the cells: it adds sessions alone
 
-std::string part_name(std::uint64_t cell) {
-  std::string number = std::to_string(cell);
-  number.insert(0, number.size() < 6 ? 6 - number.size() : 0, '0');
-  return std::string(kPart) + number + ".h5";
-}
-
 // `cells` with what describes the scene.
-SceneFile part_of(const SceneFile& head, SceneFile cells, bool drawing) {
-  cells.name = head.name;
-  cells.text = head.text;
-  cells.identity = head.identity;
-  if (drawing) cells.drawing = head.drawing;
-  cells.cell_count = head.cell_count;
-  cells.sessions = head.sessions;
-  cells.bodies = head.bodies;
-  cells.queries = head.queries;
+SceneFile part_of(const SceneHead& head, SceneFile cells, bool drawing) {
+  static_cast<SceneHead&>(cells) = head;
+  if (!drawing) cells.drawing.clear();
   return cells;
 }
 
 }  // namespace
 
-std::vector<fs::path> list_scene_parts(const fs::path& target) { return parts_named(target, kPart); }
+std::vector<fs::path> list_scene_parts(const fs::path& target) { return parts_named(target, kPart.prefix); }
 
 SceneWriter::SceneWriter(const std::string& path, SceneFile head, RunMode mode)
     : path_(behind_links(path)),
@@ -95,8 +83,7 @@ void SceneWriter::begin() {
   if (mode_ == RunMode::force) discard_earlier(bytes);
   stored_any_ = true;
   begun_ = true;
-  const fs::path path = directory_.folder() / kHeadName;
-  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+  write_part(directory_.folder() / kHeadName, bytes);
 }
 
 void SceneWriter::make_room() {
@@ -125,11 +112,11 @@ void SceneWriter::store(const SceneCellResult& cell) {
 // The first part of a session has the drawing for all.
 void SceneWriter::store_part(SceneFile cells) {
   const std::scoped_lock lock(mutex_);  // HDF5 is not for several threads at once
-  const fs::path path = directory_.folder() / part_name(cells.cells.front().cell);
+  const fs::path path = directory_.folder() / part_name(kPart, cells.cells.front().cell);
   const std::string bytes = encode_scene(part_of(head_, std::move(cells), !stored_any_));
   if (mode_ == RunMode::force && !stored_any_) discard_earlier(bytes);
   stored_any_ = true;
-  write_atomically(path, bytes, path.string() + std::string(kTemporarySuffix));
+  write_part(path, bytes);
 }
 
 void SceneWriter::finish() {
@@ -159,9 +146,8 @@ SceneRankSink::SceneRankSink(const fs::path& path, SceneFile head, std::int32_t 
 }
 
 void SceneRankSink::store_part(SceneFile cells) {
-  const fs::path path = folder_ / part_name(cells.cells.front().cell);
-  write_atomically(path, encode_scene(part_of(head_, std::move(cells), false)),
-                   path.string() + std::string(kTemporarySuffix));
+  const fs::path path = folder_ / part_name(kPart, cells.cells.front().cell);
+  write_part(path, encode_scene(part_of(head_, std::move(cells), false)));
 }
 
 }  // namespace raygauge

@@ -20,7 +20,7 @@ namespace raygauge {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kPart = "simulation-";
+constexpr PartKind kPart{"simulation-"};
 constexpr const char* kFormat = "raygauge-simulation-part";
 
 struct NumberRow {
@@ -31,12 +31,6 @@ const std::vector<Column<NumberRow>>& number_columns() {
   static const std::vector<Column<NumberRow>> kColumns = {
       column("number", "1", "all numbers of the part, one after the other", &NumberRow::number)};
   return kColumns;
-}
-
-std::string part_name(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  digits.insert(0, digits.size() < 6 ? 6 - digits.size() : 0, '0');
-  return std::string(kPart) + digits + ".h5";
 }
 
 template <class Archive, class Stored>
@@ -80,7 +74,9 @@ StoredSimulationPart decode_part(const fs::path& path, const std::string& identi
   return stored;
 }
 
-std::vector<fs::path> list_simulation_parts(const fs::path& target) { return parts_named(target, kPart); }
+std::vector<fs::path> list_simulation_parts(const fs::path& target) {
+  return parts_named(target, kPart.prefix);
+}
 
 SimulationStore::SimulationStore(fs::path target, std::string identity)
     : target_(std::move(target)), identity_(std::move(identity)) {
@@ -107,10 +103,9 @@ void SimulationStore::store(std::int32_t simulation, const SimulationPart& part)
   constexpr std::chrono::seconds kPause{1};
   constexpr int kShare = 4;  // storing takes a fifth of the time at most
   const Clock::time_point begun = Clock::now();
-  const fs::path path = parts_folder(target_) / part_name(next_++);
+  const fs::path path = parts_folder(target_) / part_name(kPart, next_++);
   const double seconds = std::chrono::duration<double>(begun - last_).count();
-  write_atomically(path, encode_part({simulation, seconds, part}, identity_),
-                   path.string() + std::string(kTemporarySuffix));
+  write_part(path, encode_part({simulation, seconds, part}, identity_));
   last_ = Clock::now();
   due_ = last_ + std::max<Clock::duration>(kPause, kShare * (last_ - begun));
 }

@@ -10,24 +10,12 @@ namespace {
 template <class Row>
 std::string csv_of(const SimulationTables& tables, const std::vector<Column<Row>>& all,
                    const std::vector<Row>& rows, const std::vector<std::string>& bodies) {
-  std::vector<const Column<Row>*> columns;
-  for (const auto& column : all) {
-    if (column.name != "simulation" || tables.simulations.size() > 1) columns.push_back(&column);
-  }
-  std::string text;
-  for (const auto* column : columns) text += (text.empty() ? "" : ",") + column->name;
-  text += '\n';
-  for (const Row& row : rows) {
-    for (const auto* column : columns) {
-      if (column != columns.front()) text += ',';
-      const Value value = column->get(row);
-      const bool name = column->name.starts_with("body");
-      text += name ? csv_field(bodies.at(static_cast<std::size_t>(std::get<std::int32_t>(value))))
-                   : csv_field(value);
-    }
-    text += '\n';
-  }
-  return text;
+  const auto entry = [&](const Column<Row>& column, const Row& row) {
+    const Value value = column.get(row);
+    if (!column.name.starts_with("body")) return csv_field(value);
+    return csv_field(bodies.at(static_cast<std::size_t>(std::get<std::int32_t>(value))));
+  };
+  return csv_table(all, rows, entry, tables.simulations.size() > 1 ? "" : "simulation");
 }
 
 }  // namespace

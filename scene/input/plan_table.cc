@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cli/input/toml_refusal.h"
-#include "cli/input/toml_values.h"
+#include "cli/input/toml_section.h"
 #include "raygauge/exceptions.h"
 #include "scene/planning/fixed_joints.h"
 
@@ -157,12 +157,10 @@ PlanTable read_plan(const toml::table& table, const Scene& scene, const std::vec
     if (std::find(names.begin(), names.end(), request.planner) == names.end())
       throw UnknownNameError("planner", request.planner, names, place_of(*node));
   }
-  if (const toml::node* node = table.get("margin"))
-    request.options.margin = read_real(*node, "plan.margin", {0, 1e6});
-  if (const toml::node* node = table.get("time_limit"))
-    request.time_limit = read_real(*node, "plan.time_limit", {0, 1e9, true});
-  if (const toml::node* node = table.get("seed"))
-    request.seed = read_integer(*node, "plan.seed", {1, 4294967295.0});
+  const TomlSection keys(table, "plan");
+  keys.real("margin", {0, 1e6}, request.options.margin);
+  keys.real("time_limit", {0, 1e9, true}, request.time_limit);
+  keys.integer("seed", {1, 4294967295.0}, request.seed);
   take_joints(table, goal, moves, plan);
   take_bodies(scene, moves, plan);
   return plan;

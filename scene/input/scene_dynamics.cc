@@ -7,8 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "cli/input/pose_table.h"
 #include "cli/input/toml_refusal.h"
-#include "cli/input/toml_values.h"
+#include "cli/input/toml_section.h"
 #include "engine/numerics/floating_point.h"
 #include "scene/input/scene_source.h"
 
@@ -18,29 +19,19 @@ namespace {
 const Range kPositive{0, kInfinity, true};
 constexpr double kMost = 1e300;
 
-const toml::table& table_of(const toml::node& node, const std::string& key) {
-  if (const toml::table* table = node.as_table()) return *table;
-  refuse(node, key + " must be a table");
-}
-
 // n numbers of R^n, with zeros behind them.
 Eigen::Vector3d vector_of(const toml::node& node, const std::string& key, int n) {
-  const Eigen::VectorXd given = read_vector(node, key);
-  if (given.size() != n) refuse(node, key + " must have " + std::to_string(n) + " numbers");
   Eigen::Vector3d all = Eigen::Vector3d::Zero();
-  all.head(n) = given;
+  all.head(n) = vector_of_length(node, key, n);
   return all;
 }
 
-std::optional<double> number_of(const toml::table& table, const char* key, const std::string& place,
-                                const Range& range) {
-  const toml::node* node = table.get(key);
-  if (node == nullptr) return std::nullopt;
-  return read_real(*node, place + "." + key, range);
-}
-
 ContactLaw law_of(const toml::table& table, const std::string& place) {
-  return {number_of(table, "friction", place, {0, kMost}), number_of(table, "restitution", place, {0, 1})};
+  const TomlSection keys(table, place);
+  ContactLaw law;
+  keys.real("friction", {0, kMost}, law.friction);
+  keys.real("restitution", {0, 1}, law.restitution);
+  return law;
 }
 
 // A number in the plane; in space three principal moments along the axes, or a matrix.
@@ -55,7 +46,7 @@ Eigen::Matrix3d inertia_of(const toml::node& node, int n) {
 }
 
 PairLaw read_pair(const toml::node& node, const BodiesNamed& bodies_named) {
-  const toml::table& table = table_of(node, "dynamics.pair");
+  const toml::table& table = read_table(node, "dynamics.pair");
   reject_unknown_keys(table, "[[dynamics.pair]] key", dynamics_keys().at("dynamics.pair"));
   const toml::node* between = table.get("between");
   if (between == nullptr || !between->is_array() || between->as_array()->size() != 2)
@@ -84,8 +75,10 @@ std::vector<std::string> body_dynamics_keys() {
 
 BodyDynamics read_body_dynamics(const toml::table& table, const Body& body) {
   const int n = body.dimension();
-  const std::optional<double> mass = number_of(table, "mass", "body", kPositive);
-  const std::optional<double> density = number_of(table, "density", "body", kPositive);
+  const TomlSection keys(table, "body");
+  std::optional<double> mass, density;
+  keys.real("mass", kPositive, mass);
+  keys.real("density", kPositive, density);
   BodyDynamics how;
   if (mass && density) refuse(table, "a body has a mass or a density, not both");
   if (!mass && table.contains("inertia")) refuse(*table.get("inertia"), "body.inertia needs a mass");
@@ -112,9 +105,9 @@ BodyDynamics read_body_dynamics(const toml::table& table, const Body& body) {
 std::vector<SimulationAccuracy> read_accuracies(const toml::table& table) {
   const SimulationAccuracy usual;
   std::vector<double> steps = {usual.step}, tolerances = {usual.tolerance};
-  if (const toml::node* node = table.get("step")) steps = read_reals(*node, "dynamics.step", kPositive);
-  if (const toml::node* node = table.get("tolerance"))
-    tolerances = read_reals(*node, "dynamics.tolerance", {1e-9, 0.1});
+  const TomlSection keys(table, "dynamics");
+  keys.reals("step", kPositive, steps);
+  keys.reals("tolerance", {1e-9, 0.1}, tolerances);
   return accuracies_of(std::move(steps), std::move(tolerances));
 }
 
@@ -142,15 +135,17 @@ Dynamics read_dynamics(const toml::table& table, int dimension, const BodiesName
   if (const toml::node* node = table.get("gravity"))
     dynamics.gravity = vector_of(*node, "dynamics.gravity", dimension);
   if (const toml::node* node = table.get("contact")) {
-    const toml::table& contact = table_of(*node, "dynamics.contact");
+    const toml::table& contact = read_table(*node, "dynamics.contact");
     reject_unknown_keys(contact, "key of dynamics.contact", dynamics_keys().at("dynamics.contact"));
     dynamics.contact = law_of(contact, "dynamics.contact");
   }
   if (const toml::node* node = table.get("damping")) {
-    const toml::table& damping = table_of(*node, "dynamics.damping");
+    const toml::table& damping = read_table(*node, "dynamics.damping");
     reject_unknown_keys(damping, "key of dynamics.damping", dynamics_keys().at("dynamics.damping"));
-    dynamics.damping = Damping{number_of(damping, "linear", "dynamics.damping", {0, kMost}).value_or(0),
-                               number_of(damping, "angular", "dynamics.damping", {0, kMost}).value_or(0)};
+    const TomlSection keys(damping, "dynamics.damping");
+    dynamics.damping.emplace();
+    keys.real("linear", {0, kMost}, dynamics.damping->linear);
+    keys.real("angular", {0, kMost}, dynamics.damping->angular);
   }
   if (const toml::node* node = table.get("overlap_at_start")) {
     const std::string wanted = read_text(*node, "dynamics.overlap_at_start");

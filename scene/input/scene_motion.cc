@@ -70,8 +70,7 @@ MotionPointer read_motion(const toml::table& body, int dimension, const std::fil
   }
   const toml::node* node = body.get("motion");
   if (node == nullptr) return std::make_shared<StaticMotion>(first);
-  const toml::table* table = node->as_table();
-  if (table == nullptr) refuse(*node, "motion must be a table");
+  const toml::table* table = &read_table(*node, "motion");
   reject_unknown_keys(*table, "key of a motion", {"keyframes", "file", "velocity", "acceleration", "spin"});
   const toml::node* keyframes = table->get("keyframes");
   const toml::node* file = table->get("file");

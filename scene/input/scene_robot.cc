@@ -9,7 +9,7 @@
 
 #include "cli/input/mesh_object_file.h"
 #include "cli/input/toml_refusal.h"
-#include "cli/input/toml_values.h"
+#include "cli/input/toml_section.h"
 #include "raygauge/scene/scene_run.h"
 #include "results/text/words.h"
 #include "scene/input/motion_file.h"
@@ -144,12 +144,11 @@ RobotBodies read_robot_bodies(const toml::table& table, const std::filesystem::p
   const std::string path = (folder / read_text(file, "robot.file")).string();
   const Robot robot = robot_of(file, path, table.get("as"), meshes);
   RobotBodies result;
-  result.name = table.contains("name") ? read_text(*table.get("name"), "robot.name") : robot.name;
+  result.name = robot.name;
+  TomlSection(table, "robot").text("name", result.name);
   Placement base = Placement::identity(3);
-  if (const toml::node* node = table.get("base")) {
-    if (!node->is_table()) refuse(*node, "robot.base must be a table");
-    base = read_pose(*node->as_table(), 3, "robot.base");
-  }
+  if (const toml::node* node = table.get("base"))
+    base = read_pose(read_table(*node, "robot.base"), 3, "robot.base");
   Trajectory trajectory = all_zero(robot, from, to);
   const toml::node* given = table.get("trajectory");
   if (given != nullptr) {

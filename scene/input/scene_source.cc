@@ -13,8 +13,7 @@
 #include "cli/input/set_source.h"
 #include "cli/input/shapes.h"
 #include "cli/input/toml_refusal.h"
-#include "cli/input/toml_source.h"
-#include "cli/input/toml_values.h"
+#include "cli/input/toml_section.h"
 #include "engine/numerics/floating_point.h"
 #include "raygauge/exceptions.h"
 #include "scene/input/scaled_set.h"
@@ -25,18 +24,13 @@
 namespace raygauge::cli {
 namespace {
 
-const toml::table& table_of(const toml::node& node, const std::string& what) {
-  if (const toml::table* table = node.as_table()) return *table;
-  refuse(node, what + " must be a table");
-}
-
 /// The entries of [[name]]; none where there are none.
 std::vector<const toml::table*> tables_of(const toml::table& root, const std::string& name) {
   std::vector<const toml::table*> tables;
   const toml::node* node = root.get(name);
   if (node == nullptr) return tables;
   if (!node->is_array()) refuse(*node, name + " must be a list of tables, [[" + name + "]]");
-  for (const toml::node& element : *node->as_array()) tables.push_back(&table_of(element, name));
+  for (const toml::node& element : *node->as_array()) tables.push_back(&read_table(element, name));
   return tables;
 }
 
@@ -61,10 +55,9 @@ class SceneReader {
   SceneSource read() {
     const toml::table& root = toml_.root;
     reject_unknown_keys(root, "key", scene_keys().at(""));
-    if (const toml::node* node = root.get("name")) scene().name = read_text(*node, "name");
-    if (const toml::node* node = root.get("dimension")) {
-      dimension_ = static_cast<int>(read_integer(*node, "dimension", {1, kMostSceneDimensions}));
-    }
+    const TomlSection keys(root, "");
+    keys.text("name", scene().name);
+    keys.integer("dimension", {1, kMostSceneDimensions}, dimension_);
     read_time();
     for (const toml::table* table : tables_of(root, "body")) read_body(*table);
     for (const toml::table* table : tables_of(root, "robot")) read_robot(*table);
@@ -80,7 +73,7 @@ class SceneReader {
       return 0;
     });
     if (const toml::node* node = root.get("plan")) {
-      source_.plan = read_plan(table_of(*node, "plan"), scene(), robots_);
+      source_.plan = read_plan(read_table(*node, "plan"), scene(), robots_);
       source_.plan->stand(scene());
     }
     for (const SceneRobot& robot : robots_) {
@@ -100,7 +93,7 @@ class SceneReader {
       scene().instants = {0};
       return;
     }
-    const toml::table& table = table_of(*node, "time");
+    const toml::table& table = read_table(*node, "time");
     reject_unknown_keys(table, "[time] key", scene_keys().at("time"));
     const toml::node* instants = table.get("instants");
     if (instants != nullptr && instants->is_array()) {
@@ -131,7 +124,7 @@ class SceneReader {
       const std::string name = (folder_ / read_text(node, what)).string();
       return placed(node, [&] { return as_it_is ? set_as_it_is(name) : read_named(name); });
     }
-    return read_set_table(table_of(node, what), folder_,
+    return read_set_table(read_table(node, what), folder_,
                           [this](const std::string& name) { return read_named(name); });
   }
 
@@ -196,8 +189,8 @@ class SceneReader {
     reject_unknown_keys(table, "[[body]] key", scene_keys().at("body"));
     const std::vector<SetPointer> parts = parts_of(table);
     if (dimension_ == 0) dimension_ = parts.front()->dimension();
-    const std::string name = table.contains("name") ? read_text(*table.get("name"), "body.name")
-                                                    : "body" + std::to_string(scene().bodies.size() + 1);
+    std::string name = "body" + std::to_string(scene().bodies.size() + 1);
+    TomlSection(table, "body").text("name", name);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i]->dimension() != dimension_)
         refuse(table, "part " + std::to_string(i + 1) + " of body '" + name + "' lives in R^" +
@@ -267,7 +260,7 @@ class SceneReader {
     const toml::node* node = toml_.root.get("dynamics");
     if (node != nullptr) {
       source_.dynamics =
-          read_dynamics(table_of(*node, "dynamics"), dimension_,
+          read_dynamics(read_table(*node, "dynamics"), dimension_,
                         [this](const std::string& name, const toml::node& at) -> const std::vector<int>& {
                           return bodies_named(name, at);
                         });
@@ -286,30 +279,22 @@ class SceneReader {
 
   void read_query(const toml::table& table) {
     reject_unknown_keys(table, "[[query]] key", scene_keys().at("query"));
+    const TomlSection keys(table, "query");
     SceneQuery query;
     query.name = "query" + std::to_string(scene().queries.size() + 1);
-    if (const toml::node* node = table.get("name")) query.name = read_text(*node, "query.name");
+    keys.text("name", query.name);
     read_groups(table, query);
     query.effects = read_effects(table);
     const std::string metric = read_metric(table, query);
     const Range positive{0, kInfinity, true};
-    if (const toml::node* node = table.get("within"))
-      query.within = read_real(*node, "query.within", positive);
-    if (const toml::node* node = table.get("contact"))
-      query.contact = read_real(*node, "query.contact", positive);
-    if (const toml::node* node = table.get("nearest")) {
-      query.nearest = static_cast<int>(read_integer(*node, "query.nearest", {1, 1e6}));
-    }
-    if (const toml::node* node = table.get("clearance_tolerance")) {
-      query.clearance_tolerance = read_real(*node, "query.clearance_tolerance", {0, 1, true});
-    }
-    if (const toml::node* node = table.get("every_instant")) {
-      query.every_instant = read_boolean(*node, "query.every_instant");
-    }
+    keys.real("within", positive, query.within);
+    keys.real("contact", positive, query.contact);
+    keys.integer("nearest", {1, 1e6}, query.nearest);
+    keys.real("clearance_tolerance", {0, 1, true}, query.clearance_tolerance);
+    keys.boolean("every_instant", query.every_instant);
     require_use(table, query.effects);
     std::vector<double> tolerances = {query.tolerance};
-    if (const toml::node* node = table.get("tolerance"))
-      tolerances = read_reals(*node, "query.tolerance", {0, 1, true});
+    keys.reals("tolerance", {0, 1, true}, tolerances);
     for (const double tolerance : tolerances) {
       query.tolerance = tolerance;
       scene().queries.push_back(query);

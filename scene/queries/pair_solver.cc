@@ -30,26 +30,17 @@ PairAnswer& PairSolver::Nearest::next(PartNumbers parts) noexcept {
   return *next_;
 }
 
-// The nearest of several parts is that of the least upper bound; common points end the search.
-void PairSolver::Nearest::take_next() {
-  if (best_->part_a < 0) return std::swap(best_, next_);
-  const double lower = std::min(best_->lower, next_->lower);
-  const double rate = std::max(best_->rate, next_->rate);
-  if (next_->upper < best_->upper || next_->intersecting()) std::swap(best_, next_);
-  best_->lower = lower;
-  best_->rate = rate;
-}
-
-// The same of signed distances: the deepest, with bounds on the depth of all.
-void PairSolver::Nearest::take_deeper() {
+// The nearest of several parts is that of the least upper bound; of signed distances the deepest, with bounds
+// on the depth of all.
+void PairSolver::Nearest::take_next(bool is_signed) {
   if (best_->part_a < 0) return std::swap(best_, next_);
   const double lower = std::min(best_->lower, next_->lower);
   const double rate = std::max(best_->rate, next_->rate);
   const double depth_lower = std::fmax(best_->depth_lower, next_->depth_lower);
   const double depth_upper = std::fmax(best_->depth_upper, next_->depth_upper);
-  if (next_->signed_value() < best_->signed_value() || (next_->intersecting() && !best_->intersecting())) {
-    std::swap(best_, next_);
-  }
+  const bool is_less =
+      is_signed ? next_->signed_value() < best_->signed_value() : next_->upper < best_->upper;
+  if (is_less || (next_->intersecting() && !(is_signed && best_->intersecting()))) std::swap(best_, next_);
   best_->lower = lower;
   best_->rate = rate;
   best_->depth_lower = depth_lower;
@@ -128,28 +119,38 @@ double PairSolver::plane_bound(const PairMemory& memory, double& rate) {
   return lower;
 }
 
-const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool closest_points,
-                                       bool gradient) {
+// Common points end the search of a distance; parts whose balls meet may overlap deeper than those that were
+// solved.
+template <class Solve>
+PairAnswer& PairSolver::find_nearest(PairMemory& memory, double enough, bool is_signed, const Solve& solve) {
   take_order(memory);
   nearest_.clear();
   double beyond = kInfinity;  // a lower bound of the parts that were not solved
   double beyond_rate = 0;
   for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
     const auto [parts, ball_bound] = *next;
-    if (nearest_.best().part_a >= 0 && ball_bound >= nearest_.best().upper) break;
+    const bool is_known = nearest_.best().part_a >= 0 && (ball_bound > 0 || !is_signed);
+    if (is_known && ball_bound >= nearest_.best().upper) break;
     if (ball_bound > enough) {
       beyond = ball_bound;
       beyond_rate = ball_rate();
       break;
     }
     placed_.check_placements();
-    solver_.distance(placed_, parts, closest_points, memory.of(memory_index(parts)), nearest_.next(parts),
-                     counters_);
-    nearest_.take_next();
-    if (nearest_.best().intersecting()) break;
+    solve(parts, memory.of(memory_index(parts)), nearest_.next(parts));
+    nearest_.take_next(is_signed);
+    if (!is_signed && nearest_.best().intersecting()) break;
   }
   conclude(beyond, beyond_rate);
-  PairAnswer& best = nearest_.best();
+  return nearest_.best();
+}
+
+const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool closest_points,
+                                       bool gradient) {
+  PairAnswer& best =
+      find_nearest(memory, enough, false, [&](PartNumbers parts, PartMemory& kept, PairAnswer& answer) {
+        solver_.distance(placed_, parts, closest_points, kept, answer, counters_);
+      });
   if (gradient && best.normal.size() == placed_.dimension() && best.lower > 0) {
     best.gradient = best.normal;  // body a is moved: A1 of d_Q(A2 - A1)
     ++counters_.gradients;
@@ -157,8 +158,14 @@ const PairAnswer& PairSolver::distance(PairMemory& memory, double enough, bool c
   return best;
 }
 
+const PairAnswer& PairSolver::signed_distance(PairMemory& memory, double enough) {
+  return find_nearest(memory, enough, true, [&](PartNumbers parts, PartMemory& kept, PairAnswer& answer) {
+    solver_.signed_distance(placed_, parts, kept, answer, counters_);
+  });
+}
+
 // Parts that were not solved are farther than `beyond`.
-const PairAnswer& PairSolver::conclude(double beyond, double beyond_rate) {
+void PairSolver::conclude(double beyond, double beyond_rate) {
   PairAnswer& best = nearest_.best();
   if (best.part_a < 0) {
     begin(best, -1, -1);
@@ -168,28 +175,6 @@ const PairAnswer& PairSolver::conclude(double beyond, double beyond_rate) {
     best.value = std::clamp(best.value, best.lower, best.upper);
   }
   best.rate = std::max(best.rate, beyond_rate);
-  return best;
-}
-
-// Parts whose balls meet may overlap deeper than those that were solved.
-const PairAnswer& PairSolver::signed_distance(PairMemory& memory, double enough) {
-  take_order(memory);
-  nearest_.clear();
-  double beyond = kInfinity, beyond_rate = 0;
-  for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
-    const auto [parts, ball_bound] = *next;
-    const bool solved = nearest_.best().part_a >= 0;
-    if (solved && ball_bound > 0 && ball_bound >= nearest_.best().upper) break;
-    if (ball_bound > enough) {
-      beyond = ball_bound;
-      beyond_rate = ball_rate();
-      break;
-    }
-    placed_.check_placements();
-    solver_.signed_distance(placed_, parts, memory.of(memory_index(parts)), nearest_.next(parts), counters_);
-    nearest_.take_deeper();
-  }
-  return conclude(beyond, beyond_rate);
 }
 
 Separation PairSolver::separation(PairMemory& memory) {
@@ -218,7 +203,7 @@ const PairAnswer& PairSolver::growth(PairMemory& memory) {
   for (const PartCandidate* next = order_.next(); next != nullptr; next = order_.next()) {
     const auto [parts, ball_bound] = *next;
     solver_.growth(placed_, parts, memory.of(memory_index(parts)), least_growth_.next(parts), counters_);
-    least_growth_.take_next();
+    least_growth_.take_next(false);
   }
   PairAnswer& best = least_growth_.best();
   best.value = std::clamp(best.value, best.lower, best.upper);

@@ -91,8 +91,7 @@ class PairSolver {
     void clear() noexcept { best_->part_a = -1; }  // of no parts: the rest is not read
     PairAnswer& best() noexcept { return *best_; }
     PairAnswer& next(PartNumbers parts) noexcept;
-    void take_next();
-    void take_deeper();
+    void take_next(bool is_signed);
 
    private:
     PairAnswer answers_[2];
@@ -106,7 +105,9 @@ class PairSolver {
   }
   void take_order(PairMemory& memory);
   double plane_bound_of(const PairMemory& memory, const PartCandidate& candidate, double& rate);
-  const PairAnswer& conclude(double beyond, double beyond_rate);
+  template <class Solve>
+  PairAnswer& find_nearest(PairMemory& memory, double enough, bool is_signed, const Solve& solve);
+  void conclude(double beyond, double beyond_rate);
 
   PlacedPair placed_;
   PartSolver solver_;

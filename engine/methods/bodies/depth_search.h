@@ -8,6 +8,7 @@
 
 #include "engine/methods/bodies/inner_polytope.h"
 #include "engine/methods/bodies/open_facets.h"
+#include "engine/methods/bodies/tuning.h"
 #include "engine/numerics/stopwatch.h"
 #include "raygauge/methods/result.h"
 
@@ -90,8 +91,8 @@ class DepthSearch {
   /// corner_of(point) says how it is found again.
   template <class CornerOf>
   void record(const CornerOf& corner_of, DepthMemory& memory) {
-    constexpr int kFew = 3;  // not worth a copy
-    if (iterations_ > kFew || !polytope_.is_joined()) polytope_.record(corner_of, memory);
+    if (iterations_ > tuned::kStepsWorthRecording || !polytope_.is_joined())
+      polytope_.record(corner_of, memory);
   }
 
   /// Of D alone, without the ball; -infinity where nothing is proven.

@@ -6,12 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/methods/bodies/tuning.h"
+
 namespace raygauge {
 namespace {
-
-// By how much n·s may differ over a facet before its normal is computed from its corners: errors of normals
-// that come from their neighbours' add up.
-constexpr double kUneven = 64;  // of the noise
 
 template <std::size_t N>
 std::uint8_t index_of(const std::array<std::int32_t, N>& list, std::int32_t value) {
@@ -131,7 +129,7 @@ bool InnerHull<N>::measure(Facet& facet) {
   const double scale = squares > 0 ? 1 / std::sqrt(squares) : 0.0;
   for (double& x : facet.n) x *= scale;
   put_extent(facet);
-  if (!(facet.reach - facet.offset <= kUneven * noise_) || !(scale > 0)) {
+  if (!(facet.reach - facet.offset <= tuned::kUnevenFacet * noise_) || !(scale > 0)) {
     solve_normal(facet);
     put_extent(facet);
   }

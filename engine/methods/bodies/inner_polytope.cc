@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/methods/bodies/facet_rounding.h"
+#include "engine/methods/bodies/tuning.h"
 #include "engine/methods/spatial/triangle_normal.h"
 #include "engine/numerics/fused.h"
 
@@ -103,7 +104,6 @@ void InnerPolytope<Real>::join(const DepthMemory& memory, double size) {
 // What is recorded gets its place. The number of corners; 0 where nothing is.
 template <class Real>
 std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
-  constexpr std::int32_t kMostCorners = 127;  // of which a closed surface makes 250 facets
   memory.facets_.clear();
   place_.assign(points_.size(), -1);
   std::int64_t facets = 0;
@@ -117,7 +117,8 @@ std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
   }
   const auto count = static_cast<std::size_t>(corners);
   if (!is_joined_) memory.least_corners_ = count;
-  return corners <= kMostCorners && 4 * count <= 5 * memory.least_corners_ ? count : 0;
+  const double grown = tuned::kGrownPolytope * static_cast<double>(memory.least_corners_);
+  return corners <= tuned::kCornersWorthRecording && corners <= grown ? count : 0;
 }
 
 template <class Real>

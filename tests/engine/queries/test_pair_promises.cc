@@ -23,14 +23,16 @@
 #include "raygauge/sets/operations.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_pair_promises {
 namespace {
 
 using SetPointer = std::shared_ptr<const ConvexSet>;
-using Random = std::mt19937_64;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using testing::gaussian;
+using testing::Random;
 
 DistanceOptions options(double tolerance) {
   DistanceOptions options;
@@ -69,12 +71,6 @@ TEST(PairPromises, ABatchKeepsNothingOfOtherPairs) {
   answers.distance = distance;
   batch.distances(both, pairs.metric, answers);
   EXPECT_NEAR(distance[1], SegmentAndPoint::kDistance, 1e-18);
-}
-
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
 }
 
 std::vector<SetPointer> bodies(Random& random) {

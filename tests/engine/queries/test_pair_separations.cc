@@ -17,12 +17,14 @@
 #include "raygauge/queries/object_distance.h"
 #include "tests/engine/instruction_sets.h"
 #include "tests/engine/queries/primitive_pairs.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_pair_separations {
 namespace {
 
-using Random = std::mt19937_64;
 using Eigen::Vector3d;
+using testing::gaussian;
+using testing::Random;
 using Kind = Primitive::Kind;
 
 DistanceOptions options_for(int threads, InstructionSet isa = InstructionSet::automatic) {
@@ -40,12 +42,6 @@ struct Answers {
   std::vector<Separation> outcome;
   std::vector<double> normal;
 };
-
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
 
 Pose random_pose(Random& random, double way) {
   const Vector3d v = gaussian(random);

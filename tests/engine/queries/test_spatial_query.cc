@@ -19,19 +19,16 @@
 #include "raygauge/sets/polytopes.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_spatial_query {
 namespace {
 
 using SetPointer = std::shared_ptr<const ConvexSet>;
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
 
 const Eigen::Vector3d kZero = Eigen::Vector3d::Zero();
-
-Eigen::Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  return {normal(random), normal(random), normal(random)};
-}
 
 Pose random_pose(Random& random, double size) {
   const Eigen::Vector3d axis = gaussian(random).normalized();

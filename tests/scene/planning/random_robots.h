@@ -12,6 +12,34 @@ namespace raygauge::random_robots {
 
 using namespace random_scenes;
 
+inline SmallVector vector3(double x, double y, double z) {
+  SmallVector v(3);
+  v << x, y, z;
+  return v;
+}
+
+/// Rods of length 1 and this radius that turn in the plane, each on the end of the one before it.
+inline RobotModel planar_arm(int rods, double radius) {
+  RobotModel robot;
+  robot.joints = rods;
+  for (int i = 0; i < rods; ++i) {
+    TreeLink link;
+    link.parent = i - 1;
+    link.kind = JointKind::revolute;
+    link.axis = Eigen::Vector3d::UnitZ();
+    link.joint = i;
+    link.origin = Placement::identity(3);
+    if (i > 0) link.origin.t = vector3(1, 0, 0);
+    robot.tree.links.push_back(link);
+    RobotBody body;
+    body.name = "rod " + std::to_string(i);
+    body.link = i;
+    body.parts = {std::make_shared<Capsule>(vector3(0, 0, 0), vector3(1, 0, 0), radius)};
+    robot.bodies.push_back(body);
+  }
+  return robot;
+}
+
 /// A tree of 1 to 14 links whose joints are of all kinds, some of them followed by others, with a small body
 /// on most links.
 inline RobotModel robot(Random& random) {

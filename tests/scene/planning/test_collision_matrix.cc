@@ -18,34 +18,6 @@ namespace {
 
 using namespace random_robots;
 
-SmallVector vector3(double x, double y, double z) {
-  SmallVector v(3);
-  v << x, y, z;
-  return v;
-}
-
-/// Rods of length 1 and this radius that turn in the plane, each on the end of the one before it.
-RobotModel planar_arm(int rods, double radius) {
-  RobotModel robot;
-  robot.joints = rods;
-  for (int i = 0; i < rods; ++i) {
-    TreeLink link;
-    link.parent = i - 1;
-    link.kind = JointKind::revolute;
-    link.axis = Eigen::Vector3d::UnitZ();
-    link.joint = i;
-    link.origin = Placement::identity(3);
-    if (i > 0) link.origin.t = vector3(1, 0, 0);
-    robot.tree.links.push_back(link);
-    RobotBody body;
-    body.name = "rod " + std::to_string(i);
-    body.link = i;
-    body.parts = {std::make_shared<Capsule>(vector3(0, 0, 0), vector3(1, 0, 0), radius)};
-    robot.bodies.push_back(body);
-  }
-  return robot;
-}
-
 std::vector<JointRange> ranges(int joints, double most) {
   return std::vector<JointRange>(static_cast<std::size_t>(joints), JointRange{-most, most});
 }

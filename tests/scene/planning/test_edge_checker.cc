@@ -18,32 +18,9 @@ using namespace random_robots;
 constexpr double kRodRadius = 0.05, kBallRadius = 0.1;
 constexpr double kContact = 1e-6;  // EdgeOptions::contact
 
-SmallVector vector3(double x, double y, double z) {
-  SmallVector v(3);
-  v << x, y, z;
-  return v;
-}
-
-/// Rods of length 1, each on the end of the one before it, that turn in the plane.
+/// Whose rods do not meet those that they hang on.
 RobotModel planar_arm(int rods) {
-  RobotModel robot;
-  robot.joints = rods;
-  for (int i = 0; i < rods; ++i) {
-    TreeLink link;
-    link.parent = i - 1;
-    link.kind = JointKind::revolute;
-    link.axis = Eigen::Vector3d::UnitZ();
-    link.joint = i;
-    if (i > 0) link.origin.t = vector3(1, 0, 0);
-    if (i == 0) link.origin = Placement::identity(3);
-    link.origin.R = SmallMatrix::Identity(3, 3);
-    robot.tree.links.push_back(link);
-    RobotBody body;
-    body.name = "rod " + std::to_string(i);
-    body.link = i;
-    body.parts = {std::make_shared<Capsule>(vector3(0, 0, 0), vector3(1, 0, 0), kRodRadius)};
-    robot.bodies.push_back(body);
-  }
+  RobotModel robot = random_robots::planar_arm(rods, kRodRadius);
   robot.ignored = joined_bodies(robot);
   return robot;
 }

@@ -15,19 +15,15 @@
 #include "engine/sets/hull_3d.h"
 #include "engine/sets/spatial_shape.h"
 #include "raygauge/sets/prepared_set.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_polytope_depth {
 namespace {
 
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
 using Long = Eigen::Matrix<long double, 3, 1>;
 using Points = std::vector<Long>;
-
-Eigen::Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
 
 struct Place {
   Eigen::Matrix3d R;

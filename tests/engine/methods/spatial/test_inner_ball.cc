@@ -11,24 +11,20 @@
 
 #include "raygauge/sets/box.h"
 #include "raygauge/sets/point_set.h"
+#include "tests/engine/random_poses.h"
 #include "tests/engine/rational.h"
 
 namespace raygauge::test_inner_ball {
 namespace {
 
 using Eigen::Vector3d;
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
 using Exact3 = BasicVector3<Rational>;
 
 const Vector3d kHalf(0.6, 0.5, 0.4);
 
 Exact3 exact(const Vector3d& v) { return {Rational(v[0]), Rational(v[1]), Rational(v[2])}; }
-
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
 
 // Whether p is in the interior of the box of half edges kHalf in the pose, by Cramer's rule.
 bool is_inside(const Pose& pose, const Exact3& p) {

@@ -20,26 +20,21 @@
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/prepared_set.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 #include "tests/engine/rational.h"
 
 namespace raygauge::test_precise_distance {
 namespace {
 
 using Eigen::Vector3d;
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
 using SetPointer = std::shared_ptr<const ConvexSet>;
 
 const Ball kMetric(Vector3d::Zero(), 1.0);
 
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
-
 Eigen::Matrix3d random_rotation(Random& random) {
-  const Vector3d v = gaussian(random);
-  return Eigen::Quaterniond(gaussian(random).x(), v.x(), v.y(), v.z()).normalized().toRotationMatrix();
+  return testing::random_rotation(random).toRotationMatrix();
 }
 
 ObjectDistanceSolver make_solver(double tolerance) {

@@ -17,24 +17,21 @@
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/point_set.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_precise_growth {
 namespace {
 
 using Eigen::Vector3d;
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
+using testing::random_rotation;
 
 constexpr double kThin = 1e-6;
 
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
-
 Pose random_pose(Random& random) {
-  const Vector3d v = gaussian(random);
-  return {Eigen::Quaterniond(gaussian(random).x(), v.x(), v.y(), v.z()).normalized(), gaussian(random)};
+  const Eigen::Quaterniond rotation = random_rotation(random);
+  return {rotation, gaussian(random)};
 }
 
 GrowthDistanceSolver make_solver() {

@@ -15,26 +15,18 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_round_growth {
 namespace {
 
 using Body = std::shared_ptr<const ConvexSet>;
 using Eigen::Vector3d;
-using Random = std::mt19937_64;
+using testing::gaussian;
+using testing::Random;
+using testing::random_rotation;
 
 constexpr double kTolerance = 1e-6;
-
-Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  const double x = normal(random), y = normal(random), z = normal(random);
-  return {x, y, z};
-}
-
-Eigen::Quaterniond random_rotation(Random& random) {
-  const Vector3d v = gaussian(random);
-  return Eigen::Quaterniond(gaussian(random).x(), v.x(), v.y(), v.z()).normalized();
-}
 
 GrowthDistanceSolver make_solver(bool general) {
   DistanceOptions options;

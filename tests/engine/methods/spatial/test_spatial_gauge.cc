@@ -17,17 +17,14 @@
 #include "raygauge/sets/capsule.h"
 #include "raygauge/sets/ellipsoid.h"
 #include "raygauge/sets/truncated_cone.h"
+#include "tests/engine/random_poses.h"
 
 namespace raygauge::test_spatial_gauge {
 namespace {
 
 using SetPointer = std::shared_ptr<const ConvexSet>;
-using Random = std::mt19937_64;
-
-Eigen::Vector3d gaussian(Random& random) {
-  std::normal_distribution<double> normal;
-  return {normal(random), normal(random), normal(random)};
-}
+using testing::gaussian;
+using testing::Random;
 
 constexpr int kKinds = 5;
 
