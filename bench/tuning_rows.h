@@ -26,7 +26,10 @@ struct TunedMethod {
   std::vector<TuningRow> rows;
 };
 
-/// Every threshold that stands in a tuning.h of the engine.
+/// Every threshold that stands in a tuning.h.
 std::vector<TunedMethod> tuned_methods();
+
+/// Those for bodies of R^2 and R^3.
+std::vector<TunedMethod> tuned_methods_of_bodies();
 
 }  // namespace raygauge::bench
