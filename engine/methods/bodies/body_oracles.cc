@@ -7,6 +7,7 @@ namespace raygauge {
 SpatialOracle::SpatialOracle(SpatialPair& pair) : pair_(pair) {
   error_ = pair.error();
   size_ = 2 * pair.size();
+  follows_ = pair.is_curved() && pair.prisms().empty();
 }
 
 double SpatialOracle::support(const Vector3& u, DepthPoint<double>& point) {
@@ -28,6 +29,16 @@ void SpatialOracle::support_again(const DepthMemory::Corner& corner, DepthPoint<
   SpatialPoint found;
   point.u = pair_.support_again(corner, found);
   put(found, point);
+}
+
+void SpatialOracle::follow(const Vector& u, DepthPoint<double>* point) {
+  SpatialPoint found[3];
+  for (int k = 0; k < 3; ++k) {
+    found[k] = {point[k].s, point[k].a1, point[k].a2, point[k].index_1, point[k].index_2};
+    pair_.follow(u, found[k], k > 0 ? found + k - 1 : nullptr);
+    put(found[k], point[k]);
+    point[k].u = u;
+  }
 }
 
 bool PreciseOracle::bind(const SpatialPair& pair) {
