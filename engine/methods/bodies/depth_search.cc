@@ -195,9 +195,12 @@ bool DepthSearch<Real>::find_cap(std::int32_t least, const DepthPoint<Real>& fou
     if (caps_.hold(facet.n)) return false;
     const DepthPoint<Real>* corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = &polytope_.point(facet.corner[k]);
-    if (!share_a_face(corner, found)) return false;
+    const bool is_flat = share_a_face(corner, found);
+    if (!is_flat && (bent_trials_ == 0 || !share_a_bend(corner, found))) return false;
     ProvenCap cap;
-    if (!cap.find(corner, facet.n, upper_, goal_.tolerance, *oracle_)) return false;
+    if (is_flat && !cap.find(corner, facet.n, upper_, goal_.tolerance, *oracle_)) return false;
+    if (!is_flat && bent_trials_-- > 0 && !cap.find_bent(corner, facet.n, upper_, goal_.tolerance, *oracle_))
+      return false;
     DepthPoint<Real> point;
     probe(cap.normal(), point, true);
     if (!(cap.height() >= closing())) return false;
@@ -216,6 +219,7 @@ void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = near_ = 0;
+  bent_trials_ = 3;
   open_.clear();
   caps_.clear();
   least_ = {};

@@ -112,7 +112,7 @@ class DepthSearch {
   Goal goal_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
   Vector normal_;
-  int iterations_ = 0;
+  int iterations_ = 0, bent_trials_ = 0;
   std::int32_t near_ = 0;  // the facet that was looked at last
   bool solid_ = false;
 };

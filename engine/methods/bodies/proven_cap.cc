@@ -6,13 +6,25 @@
 
 namespace raygauge {
 
+namespace {
+
+bool holds_any(const DepthPoint<double>* const* corner, const DepthPoint<double>& farthest) noexcept {
+  return is_same(farthest, *corner[0]) || is_same(farthest, *corner[1]) || is_same(farthest, *corner[2]);
+}
+
+int count_same(const DepthPoint<double>* const* corner) noexcept {
+  return int{is_same(*corner[0], *corner[1])} + int{is_same(*corner[1], *corner[2])} +
+         int{is_same(*corner[2], *corner[0])};
+}
+
+}  // namespace
+
 bool share_a_face(const DepthPoint<double>* const* corner, const DepthPoint<double>& farthest) noexcept {
-  const auto same = [](const DepthPoint<double>& a, const DepthPoint<double>& b) {
-    return a.index_1 == b.index_1 && a.index_2 == b.index_2;
-  };
-  const DepthPoint<double>&a = *corner[0], &b = *corner[1], &c = *corner[2];
-  return !same(a, b) && !same(b, c) && !same(c, a) &&
-         (same(farthest, a) || same(farthest, b) || same(farthest, c));
+  return count_same(corner) == 0 && holds_any(corner, farthest);
+}
+
+bool share_a_bend(const DepthPoint<double>* const* corner, const DepthPoint<double>& farthest) noexcept {
+  return count_same(corner) > 0 && holds_any(corner, farthest);
 }
 
 // Newton's method for the plane that touches the pieces under the corners: the point s(u) of a piece moves
@@ -22,7 +34,7 @@ bool ProvenCap::follow(double most, double tolerance, DepthOracle<double>& oracl
   constexpr double kAway = 0.5, kSettled = 0.5;  // squares of a turn; kSettled relative to the tolerance
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector3 u = n_;
-    oracle.follow(u, corner_);
+    oracle.follow(u, corner_, 3);
     const Vector3 n = triangle_normal<double>(corner_[0].s, corner_[1].s, corner_[2].s);
     const double square = dot(n, n);
     if (!(square > 0)) return false;
@@ -63,6 +75,14 @@ bool ProvenCap::find(const DepthPoint<double>* const* corner, const Vector3& n, 
 
 bool ProvenCap::contact(const Vector3& u, double tolerance, Vector3& a1, Vector3& a2) const noexcept {
   const double size = std::sqrt(dot(u, u));
+  if (is_bent_) {
+    constexpr double kSame = 1e-5;
+    const Vector3 away = u * (1 / size) - n_;
+    if (!(dot(away, away) < kSame * kSame)) return false;
+    a1 = corner_[0].a1 + (corner_[1].a1 - corner_[0].a1) * share_;
+    a2 = corner_[0].a2 + (corner_[1].a2 - corner_[0].a2) * share_;
+    return true;
+  }
   double weight[3], sum = 0;
   for (int k = 0; k < 3; ++k) {
     weight[k] = std::fmax(dot(u, cross(corner_[(k + 1) % 3].s, corner_[(k + 2) % 3].s)), 0.0);

@@ -27,6 +27,10 @@ class ProvenCap {
   bool find(const DepthPoint<double>* const* corner, const Vector3& n, double most, double tolerance,
             DepthOracle<double>& oracle);
 
+  /// The same of a facet whose corners are on one or two curved pieces: see bent_cap.cc.
+  bool find_bent(const DepthPoint<double>* const* corner, const Vector3& n, double most, double tolerance,
+                 DepthOracle<double>& oracle);
+
   const Vector3& normal() const noexcept { return n_; }
   double height() const noexcept { return height_; }
 
@@ -47,12 +51,16 @@ class ProvenCap {
   bool contact(const Vector3& u, double tolerance, Vector3& a1, Vector3& a2) const noexcept;
 
  private:
+  struct Bent;
   bool follow(double most, double tolerance, DepthOracle<double>& oracle);
   bool measure(double size, double error) noexcept;
+  bool measure_bent(const Bent& bent, double size, double error) noexcept;
 
   DepthPoint<double> corner_[3];
   Vector3 n_;
   double height_ = 0, cosine_ = 1;  // of T, rounded up
+  double share_ = 0;                // of a bent face: of corner_[1]; that of corner_[0] is the rest
+  bool is_bent_ = false;
 };
 
 /// The caps of one search.
@@ -88,8 +96,16 @@ class ProvenCaps {
   std::vector<ProvenCap> caps_;
 };
 
+/// Whether two points are on the same piece of D.
+inline bool is_same(const DepthPoint<double>& a, const DepthPoint<double>& b) noexcept {
+  return a.index_1 == b.index_1 && a.index_2 == b.index_2;
+}
+
 /// Whether the corners of a facet are on three different pieces of D, one of which is the farthest along its
 /// normal.
 bool share_a_face(const DepthPoint<double>* const* corner, const DepthPoint<double>& farthest) noexcept;
+
+/// Whether they are on one or two, one of which is.
+bool share_a_bend(const DepthPoint<double>* const* corner, const DepthPoint<double>& farthest) noexcept;
 
 }  // namespace raygauge

@@ -4,9 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <random>
+
+#include "engine/methods/bodies/body_oracles.h"
+#include "raygauge/sets/box.h"
+#include "raygauge/sets/capsule.h"
+#include "raygauge/sets/ellipsoid.h"
+#include "raygauge/sets/truncated_cone.h"
 
 namespace raygauge::test_proven_cap {
 namespace {
@@ -115,6 +122,49 @@ TEST(ProvenCap, its_points_of_contact_are_where_the_normal_meets_the_face) {
   ASSERT_TRUE(cap.contact({0, 0, 1}, 1e-6, a1, a2));
   EXPECT_NEAR(length(a1 - Vector3{0, 0, 2}), 0, 1e-14);
   EXPECT_FALSE(cap.contact({0.1, 0, 1}, 1e-6, a1, a2));
+}
+
+// From corners that directions near the normal of the centres have.
+TEST(ProvenCap, no_direction_about_a_bent_face_is_lower_than_it_says) {
+  Random random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero(), axes(1, 0.6, 0.4), half(0.6, 0.5, 0.4), up(0, 0, 0.6);
+  const Ellipsoid ellipsoid(zero, Eigen::MatrixXd(axes.asDiagonal()));
+  const Cylinder cylinder(Eigen::Vector3d(-up), up, 0.5);
+  const Capsule capsule(Eigen::Vector3d(-up), up, 0.3);
+  const Box box(Eigen::Vector3d(-half), half);
+  const ConvexSet* const others[] = {&ellipsoid, &cylinder, &capsule, &box};
+  int found = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const Vector3 axis = direction(random), way = direction(random) * 0.3;
+    const Eigen::Matrix3d R =
+        Eigen::AngleAxisd(3 * uniform(random), Eigen::Vector3d(axis.x, axis.y, axis.z)).toRotationMatrix();
+    const Pose pose(R, Eigen::Vector3d(way.x, way.y, way.z));
+    SpatialPair pair;
+    ASSERT_TRUE(pair.bind(ellipsoid, *others[i % 4], InstructionSet::automatic));
+    ASSERT_TRUE(pair.place(PoseNumbers(), PoseNumbers(&pose)));
+    SpatialOracle oracle(pair);
+    const Vector3 n = direction(random);
+    DepthPoint<double> corner[3];
+    const DepthPoint<double>* pointer[3] = {corner, corner + 1, corner + 2};
+    for (DepthPoint<double>& each : corner) oracle.support(n + direction(random) * 0.05, each);
+    ProvenCap cap;
+    if (!share_a_bend(pointer, corner[0]) || !cap.find_bent(pointer, n, 1e9, 1e-6, oracle)) continue;
+    ++found;
+    DepthPoint<double> point;
+    EXPECT_GE(oracle.support(cap.normal(), point), cap.height());
+    Vector3 a1, a2;
+    ASSERT_TRUE(cap.contact(cap.normal(), 1e-6, a1, a2));
+    EXPECT_LT(length(a1 - a2 - cap.normal() * cap.height()), 1e-5);
+    for (int k = 0; k < 200; ++k) {
+      const Vector3 u = cap.normal() + direction(random) * (0.7 * uniform(random));
+      const Vector3 unit = u * (1 / length(u));
+      if (cap.holds(unit)) {
+        EXPECT_GE(oracle.support(unit, point), cap.height());
+      }
+    }
+  }
+  EXPECT_GT(found, 100);
 }
 
 TEST(ProvenCap, corners_share_a_face_if_they_are_on_three_pieces) {
