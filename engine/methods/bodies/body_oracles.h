@@ -28,6 +28,8 @@ class SpatialOracle final : public EuclideanOracle<double> {
   double support(const Vector3& u, DepthPoint<double>& point) override;
 
   void support_again(const DepthMemory::Corner& corner, DepthPoint<double>& point) override;
+  void follow(const Vector& u, DepthPoint<double>* point, int count) override;
+  PointBend bend(const Vector& u, const Vector& e, const Vector& f, const DepthPoint<double>& point) override;
 
  private:
   static void put(const SpatialPoint& found, DepthPoint<double>& point);

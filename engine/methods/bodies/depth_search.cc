@@ -25,6 +25,22 @@ BasicVector3<Real> unit(const BasicVector3<Real>& v) {
   return size > 0 ? v * Real{1 / size} : BasicVector3<Real>{};
 }
 
+// The point t u of the plane of a facet by the weights of its corners; by how much one of them is below 0,
+// infinity where they are no numbers.
+template <class Real>
+double weights_along(const InnerPolytope<Real>& of, std::int32_t i, const Vector3& u, double* weight) {
+  Vector3 p[3];
+  for (int k = 0; k < 3; ++k) p[k] = rounded(of.point(of.facet(i).corner[k]).s);
+  for (int k = 0; k < 3; ++k) weight[k] = dot(u, cross(p[(k + 1) % 3], p[(k + 2) % 3]));
+  const double sum = weight[0] + weight[1] + weight[2];
+  double outside = 0;
+  for (int k = 0; k < 3; ++k) {
+    weight[k] /= sum;
+    outside = std::max(outside, -weight[k]);
+  }
+  return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 template <class Real>
@@ -141,13 +157,58 @@ void DepthSearch<Real>::open_new_facets() {
   const double enough = closing();
   open_.resize(polytope_.facet_count());
   for (const std::int32_t i : polytope_.made()) {
-    const double value = value_[static_cast<std::size_t>(i)];
-    if (value >= enough) {
+    double& value = value_[static_cast<std::size_t>(i)];
+    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
       settled_ = std::min(settled_, value);
       continue;
     }
     open_.open(i, value);
     least_ = value < least_.value ? OpenFacets::Least{value, i} : least_;
+  }
+}
+
+// After a better upper bound, or a new cap.
+template <class Real>
+void DepthSearch<Real>::reopen_facets() {
+  const double enough = closing();
+  least_ = {};
+  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
+    double& value = value_[static_cast<std::size_t>(i)];
+    if (polytope_.facet(i).stamp == 0) continue;
+    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
+      settled_ = std::min(settled_, value);
+      open_.close(i);
+    } else if (value < least_.value) {
+      least_ = {value, i};
+    }
+  }
+}
+
+// The face that the pieces under the corners of the least facet have in common, if it proves what the bound
+// needs beside that facet. False where it has to be expanded all the same.
+template <class Real>
+bool DepthSearch<Real>::find_cap(std::int32_t least, const DepthPoint<Real>& found) {
+  constexpr double kNear = 0.95;  // of the upper bound: farther away the face is mostly another one
+  if constexpr (kIsDouble<Real>) {
+    if (!oracle_->follows() || least_.value < kNear * upper_) return false;
+    const DepthFacet<Real>& facet = polytope_.facet(least);
+    if (caps_.hold(facet.n)) return false;
+    const DepthPoint<Real>* corner[3];
+    for (int k = 0; k < 3; ++k) corner[k] = &polytope_.point(facet.corner[k]);
+    const bool is_flat = share_a_face(corner, found);
+    if (!is_flat && (bent_trials_ == 0 || !share_a_bend(corner, found))) return false;
+    ProvenCap cap;
+    if (is_flat && !cap.find(corner, facet.n, upper_, goal_.tolerance, *oracle_)) return false;
+    if (!is_flat && bent_trials_-- > 0 && !cap.find_bent(corner, facet.n, upper_, goal_.tolerance, *oracle_))
+      return false;
+    DepthPoint<Real> point;
+    probe(cap.normal(), point, true);
+    if (!(cap.height() >= closing())) return false;
+    caps_.add(cap);
+    reopen_facets();
+    return least_.facet != least;
+  } else {
+    return false;
   }
 }
 
@@ -158,7 +219,9 @@ void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = near_ = 0;
+  bent_trials_ = 3;
   open_.clear();
+  caps_.clear();
   least_ = {};
   settled_ = std::numeric_limits<double>::infinity();
 }
@@ -212,6 +275,7 @@ DepthEnd DepthSearch<Real>::expand(const Stopwatch& watch) {
     if (!(dot(rounded(facet.n), rounded(facet.n)) > 0)) return DepthEnd::rounding;
     probe(facet.n, point, true);
     if (closes(lower_)) return DepthEnd::closed;
+    if (find_cap(least, point)) continue;
     const double above = rounded(polytope_.above(facet, point.s));
     if (!(above > polytope_.noise()) || !polytope_.look(least, point)) return DepthEnd::rounding;
     for (const std::int32_t i : polytope_.seen()) open_.close(i);
@@ -221,22 +285,6 @@ DepthEnd DepthSearch<Real>::expand(const Stopwatch& watch) {
     open_new_facets();
   }
   return DepthEnd::limit;
-}
-
-// The point t u of the plane of a facet by the weights of its corners; by how much one of them is below 0,
-// infinity where they are no numbers.
-template <class Real>
-double DepthSearch<Real>::weights_along(std::int32_t i, const Vector3& u, double* weight) const {
-  Vector3 p[3];
-  for (int k = 0; k < 3; ++k) p[k] = rounded(polytope_.point(polytope_.facet(i).corner[k]).s);
-  for (int k = 0; k < 3; ++k) weight[k] = dot(u, cross(p[(k + 1) % 3], p[(k + 2) % 3]));
-  const double sum = weight[0] + weight[1] + weight[2];
-  double outside = 0;
-  for (int k = 0; k < 3; ++k) {
-    weight[k] /= sum;
-    outside = std::max(outside, -weight[k]);
-  }
-  return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
 }
 
 // Of a convex polytope the ray leaves through the facet whose plane it meets first. A face of D may be
@@ -255,7 +303,7 @@ std::int32_t DepthSearch<Real>::find_exit(const Vector3& u) const {
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
     if (!(meets(i) <= first * kSamePlane)) continue;
     double weight[3];
-    const double outside = weights_along(i, u, weight);
+    const double outside = weights_along(polytope_, i, u, weight);
     if (!(outside < best)) continue;
     best = outside;
     exit = i;
@@ -270,7 +318,7 @@ std::int32_t DepthSearch<Real>::walk_to_exit(const Vector3& u) const {
   std::int32_t at = polytope_.facet(near_).stamp > 0 ? near_ : polytope_.made().front();
   for (int step = 0; step < kMostSteps; ++step) {
     double weight[3];
-    if (!(weights_along(at, u, weight) < std::numeric_limits<double>::infinity())) return -1;
+    if (!(weights_along(polytope_, at, u, weight) < std::numeric_limits<double>::infinity())) return -1;
     const auto least = std::min_element(weight, weight + 3);
     if (!(*least < 0)) return at;
     at = facet_at(polytope_.facet(at).beyond[(least - weight + 1) % 3]);
@@ -281,11 +329,12 @@ std::int32_t DepthSearch<Real>::walk_to_exit(const Vector3& u) const {
 template <class Real>
 bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) const {
   if (!solid_) return false;
+  if (caps_.contact(u, goal_.tolerance, a1, a2)) return true;
   std::int32_t exit = walk_to_exit(u);
   if (exit < 0) exit = find_exit(u);
   if (exit < 0) return false;
   double weight[3], sum = 0;
-  weights_along(exit, u, weight);
+  weights_along(polytope_, exit, u, weight);
   for (double& each : weight) sum += each = std::max(each, 0.0);
   if (!(sum > 0)) return false;
   a1 = a2 = {};
@@ -305,16 +354,19 @@ void DepthSearch<Real>::add_near_normals(double relative, double angle, std::vec
   const Nearness near(angle);
   const std::size_t first = normals.size();
   const Vector3 own = rounded(normal_) * (1 / length_of(normal_));
-  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
-    if (!(value_[static_cast<std::size_t>(i)] <= most)) continue;
-    const DepthFacet<Real>& facet = polytope_.facet(i);
-    if (facet.stamp == 0 || normals.size() >= kMost) continue;
-    const Vector3 n = rounded(facet.n) * (1 / length_of(facet.n));
+  const auto add = [&](const Vector3& n) {
     const auto is_near = [&](const Vector3& other) { return near(other, n); };
-    if (is_near(own) ||
-        std::any_of(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.end(), is_near))
-      continue;
-    normals.push_back(n);
+    if (normals.size() < kMost && !is_near(own) &&
+        std::none_of(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.end(), is_near))
+      normals.push_back(n);
+  };
+  for (const ProvenCap& cap : caps_.all())
+    if (cap.height() <= most) add(cap.normal());
+  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
+    const DepthFacet<Real>& facet = polytope_.facet(i);
+    const bool is_covered = caps_.hold(rounded(facet.n));
+    if (facet.stamp == 0 || is_covered || !(value_[static_cast<std::size_t>(i)] <= most)) continue;
+    add(rounded(facet.n) * (1 / length_of(facet.n)));
   }
 }
 

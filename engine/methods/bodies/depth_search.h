@@ -6,45 +6,15 @@
 #include <limits>
 #include <vector>
 
+#include "engine/methods/bodies/depth_oracle.h"
 #include "engine/methods/bodies/inner_polytope.h"
 #include "engine/methods/bodies/open_facets.h"
+#include "engine/methods/bodies/proven_cap.h"
 #include "engine/methods/bodies/tuning.h"
 #include "engine/numerics/stopwatch.h"
 #include "raygauge/methods/result.h"
 
 namespace raygauge {
-
-/// What a depth is asked of: a difference D that the origin may be in, and a metric Q, both of R^3.
-template <class Real>
-class DepthOracle {
- public:
-  using Vector = BasicVector3<Real>;
-
-  virtual ~DepthOracle() = default;
-
-  /// h_D(u), to |u| error(), and s_D(u), within error() of a point of D.
-  virtual double support(const Vector& u, DepthPoint<Real>& point) = 0;
-
-  /// A point of D, within error(), near the one that was recorded; of an oracle whose points are.
-  virtual void support_again(const DepthMemory::Corner& /*corner*/, DepthPoint<Real>& /*point*/) {}
-
-  /// h_Q(u) for a u of length 1 to a few rounding units of doubles: a number that is not below it and one
-  /// that is not above it.
-  virtual double metric_upper(const Vector& u) = 0;
-  virtual double metric_lower(const Vector& u) = 0;
-
-  /// Whether h_Q(u) = |u|.
-  bool is_euclidean() const noexcept { return euclidean_; }
-
-  double error() const noexcept { return error_; }
-
-  /// At least |s| for every support point.
-  double size() const noexcept { return size_; }
-
- protected:
-  double error_ = 0, size_ = 0;
-  bool euclidean_ = false;
-};
 
 enum class DepthEnd : std::uint8_t {
   closed,    ///< the bounds meet
@@ -64,7 +34,8 @@ inline DistanceStatus status_of(DepthEnd end) noexcept {
 /// "Proximity queries and penetration depth computation on 3D game objects", 2001). The least offset/h_Q(n)
 /// over the facets of a polytope inside D is a lower bound for all directions at once, which InnerPolytope
 /// proves; h_D(u)/h_Q(u) of any direction is an upper bound. The facet that is least is expanded until they
-/// meet, so that the minimum is a global one.
+/// meet, so that the minimum is a global one. Of curved bodies a face that touches D is found from the pieces
+/// that the corners of a facet are on, and ProvenCap spares the facets beside it.
 template <class Real>
 class DepthSearch {
  public:
@@ -124,22 +95,25 @@ class DepthSearch {
   void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
   int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);
   double value_of(const DepthFacet<Real>& facet) const;
+  bool find_cap(std::int32_t least, const DepthPoint<Real>& found);
+  void reopen_facets();
   std::int32_t evaluate_new_facets();
   void open_new_facets();
-  double weights_along(std::int32_t facet, const Vector3& u, double* weight) const;
   std::int32_t find_exit(const Vector3& u) const;
   std::int32_t walk_to_exit(const Vector3& u) const;
 
   InnerPolytope<Real> polytope_;
-  OpenFacets open_;            // that may have to be expanded
-  OpenFacets::Least least_;    // of them
-  std::vector<double> value_;  // of every facet: its offset/h_Q(n), rounded down
-  double settled_ = 0;         // the least of those that close the gap as it was when they were made
+  ProvenCaps caps_;          // of faces as near as the bound
+  OpenFacets open_;          // that may have to be expanded
+  OpenFacets::Least least_;  // of them
+  std::vector<double>
+      value_;           // of every facet: what is proven beside it: its offset/h_Q(n), or that of a cap
+  double settled_ = 0;  // the least of those that close the gap as it was when they were made
   DepthOracle<Real>* oracle_ = nullptr;
   Goal goal_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
   Vector normal_;
-  int iterations_ = 0;
+  int iterations_ = 0, bent_trials_ = 0;
   std::int32_t near_ = 0;  // the facet that was looked at last
   bool solid_ = false;
 };

@@ -96,6 +96,11 @@ class SpatialPair : public CorePair<FirstBodyFrame> {
   void add_hessian(const Vector3& u, std::int32_t index_1, std::int32_t index_2, double weight,
                    Matrix3& H) const;
 
+  /// The same of core i alone.
+  void add_hessian_of(int i, const Vector3& u, std::int32_t index, Matrix3& H) const {
+    curvatures_.add(shape(i), i, u, index, 1, H);
+  }
+
   /// Of the bodies and the way between them, at most.
   double size() const noexcept { return size_; }
   const PoseNumbers& pose(int i) const noexcept { return pose_[i]; }
