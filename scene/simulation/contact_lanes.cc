@@ -110,20 +110,18 @@ IslandLanes::IslandLanes(const FrictionIsland& island)
   }
 }
 
-RAYGAUGE_VECTORS void IslandLanes::add_all(const double* all) {
+RAYGAUGE_VECTORS void IslandLanes::reset(const Eigen::VectorXd& impulses) {
   for (BodyLanes& body : bodies_) body.y = Eight{};
   for (const ContactLanes& contact : contacts_) {
-    const double* const r = all + contact.at;
+    const double* const r = impulses.data() + contact.at;
     const Four here{r[0], r[1], r[2], 0};
     push(contact.a, here, bodies_[contact.a.body].y);
     push(contact.b, here, bodies_[contact.b.body].y);
   }
 }
 
-void IslandLanes::reset(const Eigen::VectorXd& r) { add_all(r.data()); }
-
 RAYGAUGE_VECTORS void IslandLanes::pass(Eigen::VectorXd& impulses) {
-  add_all(impulses.data());
+  reset(impulses);
   for (const ContactLanes& contact : contacts_) {
     Eight &of_a = bodies_[contact.a.body].y, &of_b = bodies_[contact.b.body].y;
     double* const r = impulses.data() + contact.at;

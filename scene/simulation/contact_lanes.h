@@ -33,8 +33,6 @@ class IslandLanes {
  public:
   explicit IslandLanes(const FrictionIsland& island);
 
-  std::size_t size() const noexcept { return contacts_.size(); }
-
   /// One pass of Gauss and Seidel's method from r on. Leaves the velocities of the new r.
   void pass(Eigen::VectorXd& r);
 
@@ -45,8 +43,6 @@ class IslandLanes {
   void reset(const Eigen::VectorXd& r);
 
  private:
-  void add_all(const double* r);
-
   std::vector<ContactLanes> contacts_;
   std::vector<BodyLanes> bodies_;  // the last one stands for all that do not react
 };

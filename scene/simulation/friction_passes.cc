@@ -18,8 +18,7 @@ using namespace tuned;
 constexpr int kMostPasses = 600;
 constexpr double kGain = 0.5;  // passes go on while the residual falls so much ...
 constexpr int kMore = 8;       // ... within kPatienceOfPasses, or so many where it is small enough
-constexpr double kNear = 100;  // times enough: a change, as a residual, from which on every pass ...
-                               // ... is measured
+constexpr double kNear = 100;  // times enough: of smaller changes every residual is looked at
 constexpr double kWorse = 10;  // a pass that changes more than the best one by so much begins anew
 
 /// Passes from r on until they gain nothing more; r is where the residual was least.
