@@ -224,9 +224,11 @@ std::string simulations_text(const SimulationTables& tables, bool contact) {
   if (contact) text += "\n";
   if (std::isnan(row.residual))
     return text + "  residual   not known of " + language::printable(row.engine) + "\n";
+  constexpr double kAim = 1e-8;
   char residual[32];
   std::snprintf(residual, sizeof residual, "%.2g", row.residual);
-  return text + "  residual   " + residual + " at most\n";
+  text = text + "  residual   " + residual + " at most";
+  return text + (row.residual > kAim ? ", above 1e-8: contact and friction are no more exact\n" : "\n");
 }
 
 std::string scene_table_text(const SceneFile& file) {

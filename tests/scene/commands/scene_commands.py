@@ -454,6 +454,19 @@ class Scenes(SceneProgram):
         subprocess.run([*command, cut, "--resume"], check=True)  # nothing is left to do
         self.assertEqual(self.tables(whole), self.tables(cut))
 
+    def test_residuals_above_the_aim_are_said(self):
+        scene, boxes = self.work / "heavy.toml", ""
+        for name, mass, height in (("light", 1, 0.5), ("heavy", 1e10, 1.5)):
+            boxes += (f'[[body]]\nname = "{name}"\nshape = {{ shape = "box", lower = [-0.5, -0.5, -0.5], upper = [0.5, 0.5, 0.5] }}\n'
+                      f"mass = {mass}\npose = {{ translation = [0, 0, {height}] }}\n")
+        for kept in (boxes, boxes.split("[[body]]")[1].join(["[[body]]", ""])):
+            scene.write_text('name = "heavy"\n[time]\nto = 0.02\ninstants = 2\n[dynamics]\ngravity = [0, 0, -9.81]\n'
+                             f'contact = {{ friction = 0.5 }}\nstep = 1e-3\n{kept}[[body]]\nname = "floor"\n'
+                             'shape = { shape = "half_space", normal = [0, 0, 1], offset = 0 }\n')
+            done = self.run_raygauge("scene", "simulate", scene, "-o", self.work / "heavy.h5", "--force")
+            residual, aim = re.search(r"residual +(\S+) at most(, above 1e-8: .*)?", done.stdout + done.stderr).groups()
+            self.assertEqual(aim is not None, float(residual) > 1e-8)
+
     def test_what_was_simulated_until_a_jam_is_in_the_file(self):
         scene, results = self.work / "press.toml", self.work / "press.h5"
         body = '[[body]]\nname = "{}"\nshape = {{ shape = {} }}\n{}\n'
