@@ -18,7 +18,8 @@ namespace {
 using namespace random_scenes;
 
 constexpr double kTo = 0.3;
-constexpr double kCell = 2.8;  // bodies of a reach below 1.4 do not overlap at the start
+constexpr double kCell =
+    2.6;  // bodies of a reach below 1.3 do not overlap at the start; a box may have 1.386
 constexpr int kMoments = 4;
 
 struct Drawn {
@@ -45,6 +46,7 @@ Dynamics draw_effects(Random& random, int n) {
   if (random() % 4 != 0) dynamics.gravity = gravity;
   dynamics.contact = ContactLaw{sometimes(random, 0, 1), sometimes(random, 0, 1)};
   if (random() % 4 == 0) dynamics.damping = Damping{uniform(random, 0, 1), uniform(random, 0, 1)};
+  dynamics.overlap_at_start = StartOverlap::resolved;
   dynamics.step = random() % 2 == 0 ? 1e-2 : 3e-3;
   dynamics.tolerance = random() % 2 == 0 ? 1e-4 : 1e-6;
   return dynamics;
@@ -57,7 +59,7 @@ Placement place_of(Random& random, int n, int number) {
   const int layer = n == 3 ? number / (kRow * kRow) : number / kRow;
   where.t[0] = kCell * (number % kRow);
   if (n == 3) where.t[1] = kCell * (number / kRow % kRow);
-  where.t[n - 1] = kCell * (0.5 + layer);
+  where.t[n - 1] = kCell * (0.52 + layer);
   return where;
 }
 
