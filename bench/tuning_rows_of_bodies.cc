@@ -71,7 +71,8 @@ TunedMethod bodies() {
 TunedMethod simulation() {
   const Workload heap = heap_steps(200, 0.6, 0.64), packed = heap_steps(200, 1.1, 1.13);
   const std::string on = "40 steps, 200 bodies",
-                    of_packed = "30 steps, 200 bodies at rest (ways part: a fifth tells nothing)";
+                    of_packed =
+                        "30 steps, 200 bodies at rest (their ways part: below a fifth nothing is told)";
   return {"simulation",
           {{{"kManyContacts", tuned::kManyContacts}, {25, 50, 200, 400}, of_packed, packed},
            {{"kRoughFriction", tuned::kRoughFriction}, {1e-6, 1e-5, 1e-3, 1e-2}, of_packed, packed},

@@ -13,8 +13,6 @@
 namespace raygauge {
 namespace {
 
-using namespace tuned;
-
 constexpr int kMostPasses = 600;
 constexpr double kGain = 0.5;  // passes go on while the residual falls so much ...
 constexpr int kMore = 8;       // ... within kPatienceOfPasses, or so many where it is small enough
@@ -88,7 +86,8 @@ class Descent {
     lanes_.pass(g_);
     f_ = g_ - here;
     const double size = f_.norm();
-    if (size > kNear * enough_ * step_of(bound_) * size_of_q_ && k % kPassesOfLook != kPassesOfLook - 1)
+    if (size > kNear * enough_ * step_of(bound_) * size_of_q_ &&
+        k % tuned::kPassesOfLook != tuned::kPassesOfLook - 1)
       return size;
     const double residual = this->residual(g_);
     if (residual < best_) {
@@ -103,8 +102,8 @@ class Descent {
   }
 
   bool has_stalled(int k) const {
-    const int patience = enough_ > kSolvedFriction ? kPatienceOfRoughPasses
-                         : best_ > kSolvedFriction ? kPatienceOfPasses
+    const int patience = enough_ > kSolvedFriction ? tuned::kPatienceOfRoughPasses
+                         : best_ > kSolvedFriction ? tuned::kPatienceOfPasses
                                                    : kMore;
     return k > gained_at_ + patience;
   }
