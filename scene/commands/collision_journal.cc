@@ -50,7 +50,8 @@ void add(std::string& text, const ConvexSet& part) {
   const auto* prepared = dynamic_cast<const PreparedSet*>(&part);
   const auto* points = prepared != nullptr ? &prepared->points() : dynamic_cast<const PointSet*>(&part);
   if (points != nullptr) {
-    for (const double number : points->points().reshaped()) add(text, number);
+    const DenseMatrix all = points->points();
+    for (const double number : all.reshaped()) add(text, number);
     return;
   }
   Vector u(3);

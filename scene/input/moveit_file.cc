@@ -69,7 +69,8 @@ class Message {
     return values;
   }
 
-  const YAML::Node& list(const YAML::Node& node) const {
+  /// By value: a loop over it keeps a node that is found in passing.
+  YAML::Node list(const YAML::Node& node) const {
     if (!node.IsSequence()) refuse(node, "a list must stand here");
     return node;
   }

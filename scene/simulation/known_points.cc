@@ -21,9 +21,11 @@ using Points = Eigen::MatrixXd;
 
 constexpr Eigen::Index kMost = 200000;
 
+// None where there are none of either, or too many of both.
 Points sums(const Points& A, const Points& B) {
-  if (A.cols() * B.cols() > kMost) return Points();
-  Points all(A.rows(), A.cols() * B.cols());
+  const Eigen::Index count = A.cols() * B.cols();
+  if (count == 0 || count > kMost) return Points();
+  Points all(A.rows(), count);
   for (Eigen::Index j = 0; j < B.cols(); ++j) {
     all.middleCols(j * A.cols(), A.cols()) = A.colwise() + B.col(j);
   }

