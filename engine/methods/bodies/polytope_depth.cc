@@ -65,8 +65,8 @@ RAYGAUGE_VECTORS void PolytopeDepth::measure_heights(const PolytopeFaces& of, co
   }
 }
 
-// With L, R the normals beside an edge e, along L × R, and those beside f likewise: the arcs from L to R cross
-// where the products (L_e·f)(R_e·f), (L_f·e)(R_f·e) and, as they cross on the same side of the origin,
+// With L, R the normals beside an edge e, along L × R, and those beside f likewise: the arcs from L to R
+// cross where the products (L_e·f)(R_e·f), (L_f·e)(R_f·e) and, as they cross on the same side of the origin,
 // (L_e·f)(L_f·e) are not above 0. Where |L·f| is so small that rounding hides its sign, a product is at most
 // that times an edge's length.
 RAYGAUGE_VECTORS void PolytopeDepth::list_crossings(const PolytopeFaces& of, const PolytopeFaces& other,
@@ -94,7 +94,7 @@ RAYGAUGE_VECTORS void PolytopeDepth::list_crossings(const PolytopeFaces& of, con
     const Pack *const of_left = along[of.left[i]], *const of_right = along[of.right[i]];
     Bits found{}, bit = {1, 2, 4, 8};
     for (int k = 0; k < packs; ++k, bit <<= 4) {
-      const auto of_e = [&](const double (*n)[kEdges]) {
+      const auto of_e = [&](const double(*n)[kEdges]) {
         return x * pack(n[0], k) + y * pack(n[1], k) + z * pack(n[2], k);
       };
       const Pack left = of_e(beside[0]), right = of_e(beside[1]);
