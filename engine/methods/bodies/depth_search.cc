@@ -188,11 +188,13 @@ void DepthSearch<Real>::reopen_facets() {
 // needs beside that facet. False where it has to be expanded all the same.
 template <class Real>
 bool DepthSearch<Real>::find_cap(std::int32_t least, const DepthPoint<Real>& found) {
-  constexpr double kNear = 0.95;  // of the upper bound: farther away the face is mostly another one
+  // Shares of the upper bound: of a facet that is lower, or in whose direction D is higher, the face is
+  // mostly another one.
+  constexpr double kNear = 0.95, kSame = 0.999;
   if constexpr (kIsDouble<Real>) {
     if (!oracle_->follows() || least_.value < kNear * upper_) return false;
     const DepthFacet<Real>& facet = polytope_.facet(least);
-    if (caps_.hold(facet.n)) return false;
+    if (dot(facet.n, found.s) * kSame > upper_ || caps_.hold(facet.n)) return false;
     const DepthPoint<Real>* corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = &polytope_.point(facet.corner[k]);
     const bool is_flat = share_a_face(corner, found);
@@ -219,7 +221,7 @@ void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = near_ = 0;
-  bent_trials_ = 3;
+  bent_trials_ = 5;
   open_.clear();
   caps_.clear();
   least_ = {};
