@@ -140,7 +140,8 @@ double DepthSearch<Real>::closing() const {
 // The least of the facets that are new.
 template <class Real>
 std::int32_t DepthSearch<Real>::evaluate_new_facets() {
-  value_.resize(static_cast<std::size_t>(polytope_.facet_count()));
+  const auto count = static_cast<std::size_t>(polytope_.facet_count());
+  if (value_.size() < count) value_.resize(2 * count);
   double least = std::numeric_limits<double>::infinity();
   std::int32_t at = 0;
   for (const std::int32_t i : polytope_.made()) {
@@ -152,16 +153,22 @@ std::int32_t DepthSearch<Real>::evaluate_new_facets() {
   return at;
 }
 
+// Whether a facet closes the gap, by its plane or by a cap.
+template <class Real>
+bool DepthSearch<Real>::settles(std::int32_t i, double enough) {
+  double& value = value_[static_cast<std::size_t>(i)];
+  if (!(value >= enough) && !caps_.cover(rounded(polytope_.facet(i).n), value)) return false;
+  settled_ = std::min(settled_, value);
+  return true;
+}
+
 template <class Real>
 void DepthSearch<Real>::open_new_facets() {
   const double enough = closing();
   open_.resize(polytope_.facet_count());
   for (const std::int32_t i : polytope_.made()) {
-    double& value = value_[static_cast<std::size_t>(i)];
-    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
-      settled_ = std::min(settled_, value);
-      continue;
-    }
+    if (settles(i, enough)) continue;
+    const double value = value_[static_cast<std::size_t>(i)];
     open_.open(i, value);
     least_ = value < least_.value ? OpenFacets::Least{value, i} : least_;
   }
@@ -173,12 +180,10 @@ void DepthSearch<Real>::reopen_facets() {
   const double enough = closing();
   least_ = {};
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
-    double& value = value_[static_cast<std::size_t>(i)];
     if (polytope_.facet(i).stamp == 0) continue;
-    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
-      settled_ = std::min(settled_, value);
+    if (settles(i, enough)) {
       open_.close(i);
-    } else if (value < least_.value) {
+    } else if (const double value = value_[static_cast<std::size_t>(i)]; value < least_.value) {
       least_ = {value, i};
     }
   }
@@ -221,7 +226,7 @@ void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   lower_ = -std::numeric_limits<double>::infinity();
   upper_ = std::numeric_limits<double>::infinity();
   iterations_ = near_ = 0;
-  bent_trials_ = 5;
+  bent_trials_ = 3;
   open_.clear();
   caps_.clear();
   least_ = {};

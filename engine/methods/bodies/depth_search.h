@@ -99,6 +99,7 @@ class DepthSearch {
   void reopen_facets();
   std::int32_t evaluate_new_facets();
   void open_new_facets();
+  bool settles(std::int32_t i, double enough);
   std::int32_t find_exit(const Vector3& u) const;
   std::int32_t walk_to_exit(const Vector3& u) const;
 
