@@ -41,6 +41,12 @@ double weights_along(const InnerPolytope<Real>& of, std::int32_t i, const Vector
   return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
 }
 
+// Whether D is for certain as thick as that.
+template <class Real>
+bool is_solid(const DepthOracle<Real>& D, double thickness) {
+  return thickness > 4 * (InnerPolytope<Real>::noise_of(D.size()) + D.error());
+}
+
 }  // namespace
 
 template <class Real>
@@ -85,14 +91,8 @@ int DepthSearch<Real>::probe_both(const Vector& u, const Vector& from, DepthPoin
   probe(u, point[0], false);
   probe(-u, point[1], false);
   const double up = rounded(dot(u, point[0].s - from)), down = rounded(dot(u, from - point[1].s));
-  if (!is_solid(std::max(up, down))) return -1;
+  if (!is_solid(*oracle_, std::max(up, down))) return -1;
   return down > up ? 1 : 0;
-}
-
-// Whether D is for certain as thick as that.
-template <class Real>
-bool DepthSearch<Real>::is_solid(double thickness) const {
-  return thickness > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
 }
 
 // Of the support points for three directions and their opposites: all six, where the origin is then inside,
@@ -103,7 +103,7 @@ bool DepthSearch<Real>::begin(const Vector& start) {
   const Vector u = unit(start);
   probe(u, corner[0], false);
   probe(-u, corner[1], false);
-  if (!is_solid(rounded(dot(u, corner[0].s - corner[1].s)))) return false;
+  if (!is_solid(*oracle_, rounded(dot(u, corner[0].s - corner[1].s)))) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
   const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
   int far = probe_both(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner + 2);

@@ -90,7 +90,6 @@ class DepthSearch {
   DepthEnd expand(const Stopwatch& watch);
   bool closes(double lower) const;
   double closing() const;
-  bool is_solid(double thickness) const;
   bool is_lost() const;
   void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
   int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);

@@ -108,9 +108,10 @@ std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
   memory.facets_.clear();
   place_.assign(points_.size(), -1);
   std::int64_t count_of_facets = 0;
-  for (std::size_t i = 0; i < facets().size(); ++i) mark_[i] = facets_[i].stamp > 0 ? count_of_facets++ : -1;
+  const auto count_of_all = static_cast<std::size_t>(facet_count_);
+  for (std::size_t i = 0; i < count_of_all; ++i) mark_[i] = facets_[i].stamp > 0 ? count_of_facets++ : -1;
   std::int32_t corners = 0;
-  for (const DepthFacet<Real>& facet : facets()) {
+  for (const DepthFacet<Real>& facet : std::span(facets_).first(count_of_all)) {
     for (int k = 0; facet.stamp > 0 && k < 3; ++k) {
       std::int32_t& place = place_[static_cast<std::size_t>(facet.corner[k])];
       if (place < 0) place = corners++;
@@ -124,8 +125,9 @@ std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
 
 template <class Real>
 void InnerPolytope<Real>::record_facets(DepthMemory& memory) const {
-  memory.facets_.reserve(facets().size());  // all or none, should memory end
-  for (const DepthFacet<Real>& from : facets()) {
+  const auto count_of_all = static_cast<std::size_t>(facet_count_);
+  memory.facets_.reserve(count_of_all);  // all or none, should memory end
+  for (const DepthFacet<Real>& from : std::span(facets_).first(count_of_all)) {
     if (from.stamp == 0) continue;
     DepthMemory::Facet& facet = memory.facets_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {

@@ -109,9 +109,6 @@ class InnerPolytope {
     std::int32_t from, to, beyond;
   };
 
-  std::span<const DepthFacet<Real>> facets() const noexcept {
-    return {facets_.data(), static_cast<std::size_t>(facet_count_)};
-  }
   std::size_t number(DepthMemory& memory);
   void record_facets(DepthMemory& memory) const;
   void restart(double size);
