@@ -102,6 +102,7 @@ class BodyDepth {
   HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
   ZonotopeDepth boxes_;
   PolytopeDepth polytopes_;
+  PolytopeFaces box_;  // the facets of the one that is a box
   double enough_ = 0;
   double tiny_ = 0;               // at least |s| on the difference of cores that are as good as one point
   double floor_ = 0;              // proven of the depth of the cores

@@ -121,13 +121,12 @@ bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
 // Both are small hulls, or one of them a box.
 bool BodyDepth::leave_polytopes(double tolerance, BodyDepthAnswer& answer) {
   if (pair_.dimension() != 3) return false;
-  PolytopeFaces box;
   const auto faces_of = [&](const SpatialShape& shape) -> const PolytopeFaces* {
     if (shape.kind == SpatialShape::Kind::points && shape.table != nullptr)
       return shape.table->surface().faces();
     if (shape.kind != SpatialShape::Kind::box) return nullptr;
-    box = PolytopeFaces::of_box(shape.base, shape.top);
-    return &box;
+    box_ = PolytopeFaces::of_box(shape.base, shape.top);
+    return &box_;
   };
   const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
   if (one.kind == SpatialShape::Kind::box && two.kind == SpatialShape::Kind::box) return false;

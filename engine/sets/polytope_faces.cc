@@ -24,8 +24,10 @@ PolytopeFaces PolytopeFaces::of_box(const Vector3& base, const Vector3& top) noe
       const int at = 4 * k + i, of_a = i & 1, of_b = i >> 1;
       box.way[k][at] = side[1][k] - side[0][k];
       box.from[at] = static_cast<std::uint8_t>(of_a << a | of_b << b);
-      box.left[at] = static_cast<std::uint8_t>(2 * a + of_a);
-      box.right[at] = static_cast<std::uint8_t>(2 * b + of_b);
+      const int across_a = 2 * a + of_a, across_b = 2 * b + of_b;
+      const bool is_along = of_a == of_b;  // the way is that of the product of both normals
+      box.left[at] = static_cast<std::uint8_t>(is_along ? across_a : across_b);
+      box.right[at] = static_cast<std::uint8_t>(is_along ? across_b : across_a);
     }
   }
   return box;

@@ -18,7 +18,8 @@ struct PolytopeFaces {
   alignas(64) double corner[3][kCorners] = {};
   alignas(64) double normal[3][kFacets] = {};
   alignas(64) double way[3][kEdges] = {};  ///< from an end of an edge to the other
-  std::uint8_t from[kEdges] = {}, left[kEdges] = {}, right[kEdges] = {};
+  std::uint8_t from[kEdges] = {};
+  std::uint8_t left[kEdges] = {}, right[kEdges] = {};  ///< facets: normal left × normal right is along `way`
 
   Vector3 corner_at(int i) const noexcept { return {corner[0][i], corner[1][i], corner[2][i]}; }
   Vector3 normal_at(int i) const noexcept { return {normal[0][i], normal[1][i], normal[2][i]}; }

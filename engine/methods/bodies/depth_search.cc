@@ -41,6 +41,12 @@ double weights_along(const InnerPolytope<Real>& of, std::int32_t i, const Vector
   return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
 }
 
+// Whether D is for certain as thick as that.
+template <class Real>
+bool is_solid(const DepthOracle<Real>& D, double thickness) {
+  return thickness > 4 * (InnerPolytope<Real>::noise_of(D.size()) + D.error());
+}
+
 }  // namespace
 
 template <class Real>
@@ -85,14 +91,8 @@ int DepthSearch<Real>::probe_both(const Vector& u, const Vector& from, DepthPoin
   probe(u, point[0], false);
   probe(-u, point[1], false);
   const double up = rounded(dot(u, point[0].s - from)), down = rounded(dot(u, from - point[1].s));
-  if (!is_solid(std::max(up, down))) return -1;
+  if (!is_solid(*oracle_, std::max(up, down))) return -1;
   return down > up ? 1 : 0;
-}
-
-// Whether D is for certain as thick as that.
-template <class Real>
-bool DepthSearch<Real>::is_solid(double thickness) const {
-  return thickness > 4 * (InnerPolytope<Real>::noise_of(oracle_->size()) + oracle_->error());
 }
 
 // Of the support points for three directions and their opposites: all six, where the origin is then inside,
@@ -103,7 +103,7 @@ bool DepthSearch<Real>::begin(const Vector& start) {
   const Vector u = unit(start);
   probe(u, corner[0], false);
   probe(-u, corner[1], false);
-  if (!is_solid(rounded(dot(u, corner[0].s - corner[1].s)))) return false;
+  if (!is_solid(*oracle_, rounded(dot(u, corner[0].s - corner[1].s)))) return false;
   const Vector edge = unit(corner[1].s - corner[0].s);
   const Vector across = vector_of<Real>(any_orthogonal(rounded(edge)));
   int far = probe_both(across - edge * (dot(across, edge) / dot(edge, edge)), corner[0].s, corner + 2);
@@ -140,7 +140,8 @@ double DepthSearch<Real>::closing() const {
 // The least of the facets that are new.
 template <class Real>
 std::int32_t DepthSearch<Real>::evaluate_new_facets() {
-  value_.resize(static_cast<std::size_t>(polytope_.facet_count()));
+  const auto count = static_cast<std::size_t>(polytope_.facet_count());
+  if (value_.size() < count) value_.resize(2 * count);
   double least = std::numeric_limits<double>::infinity();
   std::int32_t at = 0;
   for (const std::int32_t i : polytope_.made()) {
@@ -152,16 +153,22 @@ std::int32_t DepthSearch<Real>::evaluate_new_facets() {
   return at;
 }
 
+// Whether a facet closes the gap, by its plane or by a cap.
+template <class Real>
+bool DepthSearch<Real>::settles(std::int32_t i, double enough) {
+  double& value = value_[static_cast<std::size_t>(i)];
+  if (!(value >= enough) && !caps_.cover(rounded(polytope_.facet(i).n), value)) return false;
+  settled_ = std::min(settled_, value);
+  return true;
+}
+
 template <class Real>
 void DepthSearch<Real>::open_new_facets() {
   const double enough = closing();
   open_.resize(polytope_.facet_count());
   for (const std::int32_t i : polytope_.made()) {
-    double& value = value_[static_cast<std::size_t>(i)];
-    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
-      settled_ = std::min(settled_, value);
-      continue;
-    }
+    if (settles(i, enough)) continue;
+    const double value = value_[static_cast<std::size_t>(i)];
     open_.open(i, value);
     least_ = value < least_.value ? OpenFacets::Least{value, i} : least_;
   }
@@ -173,12 +180,10 @@ void DepthSearch<Real>::reopen_facets() {
   const double enough = closing();
   least_ = {};
   for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
-    double& value = value_[static_cast<std::size_t>(i)];
     if (polytope_.facet(i).stamp == 0) continue;
-    if (value >= enough || caps_.cover(rounded(polytope_.facet(i).n), value)) {
-      settled_ = std::min(settled_, value);
+    if (settles(i, enough)) {
       open_.close(i);
-    } else if (value < least_.value) {
+    } else if (const double value = value_[static_cast<std::size_t>(i)]; value < least_.value) {
       least_ = {value, i};
     }
   }
@@ -188,11 +193,13 @@ void DepthSearch<Real>::reopen_facets() {
 // needs beside that facet. False where it has to be expanded all the same.
 template <class Real>
 bool DepthSearch<Real>::find_cap(std::int32_t least, const DepthPoint<Real>& found) {
-  constexpr double kNear = 0.95;  // of the upper bound: farther away the face is mostly another one
+  // Shares of the upper bound: of a facet that is lower, or in whose direction D is higher, the face is
+  // mostly another one.
+  constexpr double kNear = 0.95, kSame = 0.999;
   if constexpr (kIsDouble<Real>) {
     if (!oracle_->follows() || least_.value < kNear * upper_) return false;
     const DepthFacet<Real>& facet = polytope_.facet(least);
-    if (caps_.hold(facet.n)) return false;
+    if (dot(facet.n, found.s) * kSame > upper_ || caps_.hold(facet.n)) return false;
     const DepthPoint<Real>* corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = &polytope_.point(facet.corner[k]);
     const bool is_flat = share_a_face(corner, found);

@@ -90,7 +90,6 @@ class DepthSearch {
   DepthEnd expand(const Stopwatch& watch);
   bool closes(double lower) const;
   double closing() const;
-  bool is_solid(double thickness) const;
   bool is_lost() const;
   void probe(const Vector& u, DepthPoint<Real>& point, bool is_unit);
   int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);
@@ -99,6 +98,7 @@ class DepthSearch {
   void reopen_facets();
   std::int32_t evaluate_new_facets();
   void open_new_facets();
+  bool settles(std::int32_t i, double enough);
   std::int32_t find_exit(const Vector3& u) const;
   std::int32_t walk_to_exit(const Vector3& u) const;
 

@@ -56,15 +56,15 @@ double InnerPolytope<Real>::noise_of(double size) noexcept {
 
 template <class Real>
 void InnerPolytope<Real>::restart(double size) {
-  facets_.clear();
+  facet_count_ = 0;
   free_.clear();
   made_.clear();
-  mark_.clear();
   stamps_ = searches_ = 0;
   rim_count_ = seen_count_ = 0;
   size_ = size;
   noise_ = noise_of(size);
   is_joined_ = false;
+  make_room(8);
 }
 
 // Facet i is on the side of -x, -y, -z if bit 2, 1, 0 of i is set.
@@ -89,13 +89,14 @@ void InnerPolytope<Real>::join(const DepthMemory& memory, double size) {
   restart(size);
   is_joined_ = true;
   const std::size_t count = memory.facets().size();
-  facets_.resize(count);
+  make_room(count);
+  facet_count_ = static_cast<std::int32_t>(count);
   made_.resize(count);
-  mark_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     std::copy_n(memory.facets()[i].corner.begin(), 3, facets_[i].corner);
     std::copy_n(memory.facets()[i].beyond.begin(), 3, facets_[i].beyond);
     facets_[i].stamp = ++stamps_;
+    mark_[i] = 0;
     made_[i] = static_cast<std::int32_t>(i);
   }
   measure_made();
@@ -106,10 +107,11 @@ template <class Real>
 std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
   memory.facets_.clear();
   place_.assign(points_.size(), -1);
-  std::int64_t facets = 0;
-  for (std::size_t i = 0; i < facets_.size(); ++i) mark_[i] = facets_[i].stamp > 0 ? facets++ : -1;
+  std::int64_t count_of_facets = 0;
+  const auto count_of_all = static_cast<std::size_t>(facet_count_);
+  for (std::size_t i = 0; i < count_of_all; ++i) mark_[i] = facets_[i].stamp > 0 ? count_of_facets++ : -1;
   std::int32_t corners = 0;
-  for (const DepthFacet<Real>& facet : facets_) {
+  for (const DepthFacet<Real>& facet : std::span(facets_).first(count_of_all)) {
     for (int k = 0; facet.stamp > 0 && k < 3; ++k) {
       std::int32_t& place = place_[static_cast<std::size_t>(facet.corner[k])];
       if (place < 0) place = corners++;
@@ -123,8 +125,9 @@ std::size_t InnerPolytope<Real>::number(DepthMemory& memory) {
 
 template <class Real>
 void InnerPolytope<Real>::record_facets(DepthMemory& memory) const {
-  memory.facets_.reserve(facets_.size());  // all or none, should memory end
-  for (const DepthFacet<Real>& from : facets_) {
+  const auto count_of_all = static_cast<std::size_t>(facet_count_);
+  memory.facets_.reserve(count_of_all);  // all or none, should memory end
+  for (const DepthFacet<Real>& from : std::span(facets_).first(count_of_all)) {
     if (from.stamp == 0) continue;
     DepthMemory::Facet& facet = memory.facets_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
@@ -204,12 +207,20 @@ void InnerPolytope<Real>::measure_fan(const Vector& apex) {
   measure_made();
 }
 
+// For so many more.
+template <class Real>
+void InnerPolytope<Real>::make_room(std::size_t facets) {
+  const std::size_t needed = static_cast<std::size_t>(facet_count_) + facets;
+  if (needed <= facets_.size()) return;
+  mark_.resize(2 * needed);
+  facets_.resize(2 * needed);
+}
+
 template <class Real>
 std::int32_t InnerPolytope<Real>::room_for_facet() {
   if (free_.empty()) {
-    facets_.emplace_back();
-    mark_.push_back(0);
-    return facet_count() - 1;
+    mark_[static_cast<std::size_t>(facet_count_)] = 0;
+    return facet_count_++;
   }
   const std::int32_t index = free_.back();
   free_.pop_back();
@@ -232,7 +243,7 @@ std::int32_t InnerPolytope<Real>::make(std::int32_t a, std::int32_t b, std::int3
 // whole surface has 3 F/2 edges.
 template <class Real>
 void InnerPolytope<Real>::find_rim(std::int32_t first, const Vector& x) {
-  const std::size_t most = 2 * facets_.size() + 3;
+  const std::size_t most = 2 * static_cast<std::size_t>(facet_count_) + 3;
   if (stack_.size() < most) {
     stack_.resize(2 * most);
     seen_.resize(2 * most);
@@ -285,6 +296,7 @@ RAYGAUGE_FUSED void InnerPolytope<Real>::add(const DepthPoint<Real>& added) {
     free_.push_back(seen_[k]);
   }
   made_.resize(rim_count_);
+  make_room(rim_count_);
   for (std::size_t k = 0; k < rim_count_; ++k) made_[k] = k < seen_count_ ? seen_[k] : room_for_facet();
   for (std::size_t k = 0; k < rim_count_; ++k) {
     const Edge& edge = rim_[k];

@@ -99,7 +99,7 @@ class InnerPolytope {
 
   const DepthFacet<Real>& facet(std::int32_t i) const { return facets_[static_cast<std::size_t>(i)]; }
   const DepthPoint<Real>& point(std::int32_t i) const { return points_[static_cast<std::size_t>(i)]; }
-  std::int32_t facet_count() const { return static_cast<std::int32_t>(facets_.size()); }
+  std::int32_t facet_count() const { return facet_count_; }
 
   /// The facets made by the last call of begin() or add().
   const std::vector<std::int32_t>& made() const noexcept { return made_; }
@@ -114,13 +114,14 @@ class InnerPolytope {
   void restart(double size);
   void join(const DepthMemory& memory, double size);
   std::int32_t make(std::int32_t a, std::int32_t b, std::int32_t c);
+  void make_room(std::size_t facets);
   std::int32_t room_for_facet();
   void measure_made();
   void measure_fan(const Vector& apex);
   void find_rim(std::int32_t facet, const Vector& x);
 
   std::vector<DepthPoint<Real>> points_;
-  std::vector<DepthFacet<Real>> facets_;
+  std::vector<DepthFacet<Real>> facets_;  // the first facet_count_ of them; the others are room
   std::vector<std::int32_t> free_, made_, seen_;
   std::vector<std::int64_t> mark_;  // of facets: the search that has seen them
   std::vector<Edge> rim_;
@@ -128,6 +129,7 @@ class InnerPolytope {
   std::size_t rim_count_ = 0, seen_count_ = 0;  // of what the last search has put there
   FacetLanes lanes_;
   std::vector<std::int32_t> place_;  // of what is recorded
+  std::int32_t facet_count_ = 0;
   std::int64_t stamps_ = 0, searches_ = 0;
   bool is_joined_ = false;
   double size_ = 0, noise_ = 0;

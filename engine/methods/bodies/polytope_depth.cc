@@ -3,8 +3,9 @@
 #include "engine/methods/bodies/polytope_depth.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "engine/methods/spatial/nearest_of_segments.h"
@@ -64,23 +65,45 @@ RAYGAUGE_VECTORS void PolytopeDepth::measure_heights(const PolytopeFaces& of, co
   }
 }
 
-// With L, R the normals beside an edge e and f an edge of the other one, the product of L·f and R·f: not
-// above 0 where the arc from L to R crosses the great circle across f.
-RAYGAUGE_VECTORS void PolytopeDepth::measure_crossings(const PolytopeFaces& of, const PolytopeFaces& other,
-                                                       double (*product)[kEdges]) noexcept {
+// With L, R the normals beside an edge e, along L × R, and those beside f likewise: the arcs from L to R
+// cross where the products (L_e·f)(R_e·f), (L_f·e)(R_f·e) and, as they cross on the same side of the origin,
+// (L_e·f)(L_f·e) are not above 0. Where |L·f| is so small that rounding hides its sign, a product is at most
+// that times an edge's length.
+RAYGAUGE_VECTORS void PolytopeDepth::list_crossings(const PolytopeFaces& of, const PolytopeFaces& other,
+                                                    double hidden, std::uint32_t* crossings) noexcept {
   using Pack [[gnu::vector_size(4 * sizeof(double)), gnu::may_alias]] = double;
+  using Bits [[gnu::vector_size(4 * sizeof(double))]] = std::int64_t;
   constexpr int kPacks = kEdges / 4;
+  const int packs = (other.edges + 3) / 4;
+  alignas(64) double beside[2][3][kEdges];  // L_f and R_f
+  for (int k = 0; k < 4 * packs; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      beside[0][j][k] = other.normal[j][other.left[k]];
+      beside[1][j][k] = other.normal[j][other.right[k]];
+    }
+  }
+  const auto pack = [](const double* row, int k) { return reinterpret_cast<const Pack*>(row)[k]; };
   Pack along[kFacets][kPacks];
-  for (int k = 0; 4 * k < other.edges; ++k) {
-    const Pack x = reinterpret_cast<const Pack*>(other.way[0])[k],
-               y = reinterpret_cast<const Pack*>(other.way[1])[k],
-               z = reinterpret_cast<const Pack*>(other.way[2])[k];
+  for (int k = 0; k < packs; ++k) {
+    const Pack x = pack(other.way[0], k), y = pack(other.way[1], k), z = pack(other.way[2], k);
     for (int i = 0; i < of.facets; ++i)
       along[i][k] = x * of.normal[0][i] + y * of.normal[1][i] + z * of.normal[2][i];
   }
   for (int i = 0; i < of.edges; ++i) {
-    auto* const out = reinterpret_cast<Pack*>(product[i]);
-    for (int k = 0; 4 * k < other.edges; ++k) out[k] = along[of.left[i]][k] * along[of.right[i]][k];
+    const double x = of.way[0][i], y = of.way[1][i], z = of.way[2][i];
+    const Pack *const of_left = along[of.left[i]], *const of_right = along[of.right[i]];
+    Bits found{}, bit = {1, 2, 4, 8};
+    for (int k = 0; k < packs; ++k, bit <<= 4) {
+      const auto of_e = [&](const double(*n)[kEdges]) {
+        return x * pack(n[0], k) + y * pack(n[1], k) + z * pack(n[2], k);
+      };
+      const Pack left = of_e(beside[0]), right = of_e(beside[1]);
+      const Pack one = of_left[k] * of_right[k], two = left * right, both = of_left[k] * left;
+      Pack most = one > two ? one : two;
+      most = both > most ? both : most;
+      found |= (most <= hidden) & bit;
+    }
+    crossings[i] = static_cast<std::uint32_t>(found[0] | found[1] | found[2] | found[3]);
   }
 }
 
@@ -111,45 +134,38 @@ bool PolytopeDepth::take_facets(const PolytopeFaces& of, const PolytopeFaces& ot
   return true;
 }
 
-// Of both arcs the middle is on the same side as the crossing. Far facets are told by squares.
+// Of both arcs the middle is on the same side as the crossing. Far facets are told by squares, on the side of
+// one arc.
 bool PolytopeDepth::take_edges(int edge_1, int edge_2) noexcept {
   const Vector3 e = first_->way_at(edge_1), f = second_.way_at(edge_2), across = cross(e, f);
   const double square = dot(across, across), product = dot(e, e) * dot(f, f);
   if (!(square > kParallel * kParallel * product)) return false;
-  const auto middle = [](const PolytopeFaces& of, int i) {
-    return of.normal_at(of.left[i]) + of.normal_at(of.right[i]);
+  const auto side_of = [&](const PolytopeFaces& of, int i) {
+    return dot(across, of.normal_at(of.left[i]) + of.normal_at(of.right[i]));
   };
-  const double of_1 = dot(across, middle(*first_, edge_1)), of_2 = dot(across, middle(second_, edge_2));
-  if (!(of_1 * of_1 > kParallel * kParallel * square && of_2 * of_2 > kParallel * kParallel * square))
-    return false;
-  if ((of_1 > 0) != (of_2 > 0)) return true;
+  const auto is_certain = [&](double side) { return side * side > kParallel * kParallel * square; };
+  const double of_1 = side_of(*first_, edge_1);
+  if (!is_certain(of_1)) return false;
   const double along =
       dot(across, first_->corner_at(first_->from[edge_1]) + second_.corner_at(second_.from[edge_2]));
   const double reach = of_1 > 0 ? along : -along, far = height_ + 2 * kNearby * size_;
   if (reach > 0 && reach * reach > far * far * square) return true;
+  const double of_2 = side_of(second_, edge_2);
+  if (!is_certain(of_2)) return false;
+  if ((of_1 > 0) != (of_2 > 0)) return true;
   const double scale = 1 / std::sqrt(square), height = reach * scale;
   return take(height, height - (kTurned * std::sqrt(product) * scale + kHeight) * size_,
               across * (of_1 > 0 ? scale : -scale), edge_1, edge_2);
 }
 
-// Where |L·f| is so small that rounding hides its sign, the product is at most that times |f|.
 bool PolytopeDepth::take_all_edges() noexcept {
-  alignas(64) double one[kEdges][kEdges], two[kEdges][kEdges];
-  measure_crossings(*first_, second_, one);
-  measure_crossings(second_, *first_, two);
   const double hidden = (std::max(first_->turned, second_.turned) + kTurned) * 4 * size_ * size_;
-  std::uint16_t pairs[kEdges * kEdges], *end = pairs;
-  for (int i = 0; i < first_->edges; ++i) {
-    std::uint16_t pair = static_cast<std::uint16_t>(i * kEdges);
-    const double* of_two = &two[0][i];
-    for (int k = 0; k < second_.edges; ++k, ++pair, of_two += kEdges) {
-      *end = pair;
-      end +=
-          static_cast<std::ptrdiff_t>(one[i][k] <= hidden) & static_cast<std::ptrdiff_t>(*of_two <= hidden);
-    }
-  }
-  for (const std::uint16_t* pair = pairs; pair != end; ++pair)
-    if (!take_edges(*pair / kEdges, *pair % kEdges)) return false;
+  std::uint32_t crossings[kEdges];
+  list_crossings(*first_, second_, hidden, crossings);
+  const std::uint32_t all = (std::uint32_t{1} << second_.edges) - 1;
+  for (int i = 0; i < first_->edges; ++i)
+    for (std::uint32_t left = crossings[i] & all; left != 0; left &= left - 1)
+      if (!take_edges(i, std::countr_zero(left))) return false;
   return true;
 }
 

@@ -43,9 +43,10 @@ class PolytopeDepth : public FacetDepth {
                     PolytopeFaces& placed) noexcept;
   /// Of D along the normals of `of`.
   static void measure_heights(const PolytopeFaces& of, const PolytopeFaces& other, double* height) noexcept;
-  /// [i][k]: not above 0 where the arc of edge i of `of` crosses the great circle across edge k of `other`.
-  static void measure_crossings(const PolytopeFaces& of, const PolytopeFaces& other,
-                                double (*product)[kEdges]) noexcept;
+  /// Bit k of number i: whether the arcs of edge i of `of` and edge k of `other` cross, as far as products up
+  /// to `hidden` may be 0. Bits of edges that are not there are any.
+  static void list_crossings(const PolytopeFaces& of, const PolytopeFaces& other, double hidden,
+                             std::uint32_t* crossings) noexcept;
   bool take(double height, double lower, const Vector3& n, int edge_1, int edge_2) noexcept;
   bool take_facets(const PolytopeFaces& of, const PolytopeFaces& other) noexcept;
   bool take_edges(int edge_1, int edge_2) noexcept;

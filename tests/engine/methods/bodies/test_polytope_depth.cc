@@ -126,6 +126,21 @@ void expect_contact(const PolytopeFaces& one, const PolytopeFaces& two, const Pl
   }
 }
 
+TEST(PolytopeDepth, EdgesOfFacesGoAlongTheProductOfTheNormalsBesideThem) {
+  Random random(13);
+  const auto expect_along = [](const PolytopeFaces& faces) {
+    for (int i = 0; i < faces.edges; ++i) {
+      const Vector3 across = cross(faces.normal_at(faces.left[i]), faces.normal_at(faces.right[i]));
+      EXPECT_GT(dot(across, faces.way_at(i)), 0) << i;
+    }
+  };
+  expect_along(PolytopeFaces::of_box({-0.5, -1, -0.75}, {1, 0.5, 0.25}));
+  for (int i = 0; i < 20 && has_hull_3d(); ++i) {
+    const PreparedSet hull = random_hull(random, 4 + i % 6);
+    if (faces_of(hull) != nullptr) expect_along(*faces_of(hull));
+  }
+}
+
 TEST(PolytopeDepth, IsThatOfTheNearestFacet) {
   if (!has_hull_3d()) return;
   Random random(11);
