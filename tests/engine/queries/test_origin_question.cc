@@ -104,8 +104,7 @@ TEST(OriginQuestion, IsDeniedJustBesideTheFace) {
   }
 }
 
-// Of three points of small integers the weights that combine to 0, each rounded once: the products of two are
-// below 2^53 apart.
+// The weights with which three points of integers combine to 0, each rounded once.
 std::vector<double> exact_weights(const Eigen::Matrix<double, 2, 3>& points) {
   const auto cross = [&](Eigen::Index i, Eigen::Index j) {
     const auto of = [&](Eigen::Index row, Eigen::Index k) {
