@@ -12,6 +12,8 @@
 namespace raygauge {
 namespace {
 
+constexpr unsigned kStarts = 4;  // of a method: Start
+
 // Of either bound the better one, with what belongs to it; true where the upper one is that of `from`.
 bool take_better(const DistanceResult& from, DistanceResult& to) {
   if (from.upper - from.lower < to.upper - to.lower) to.distance = from.distance;
@@ -77,7 +79,8 @@ const double* GeneralMethods::direction(Start start) {
 
 bool GeneralMethods::is_new(MethodId id, const Problem& from, Start start) {
   const auto where = static_cast<unsigned>(from.start == nullptr ? Start::afresh : start);
-  const std::uint32_t bit = std::uint32_t{1} << (4 * static_cast<unsigned>(id) + where);
+  static_assert(kStarts * std::tuple_size_v<decltype(methods_)> <= 64);
+  const std::uint64_t bit = std::uint64_t{1} << (kStarts * static_cast<unsigned>(id) + where);
   return (std::exchange(asked_, asked_ | bit) & bit) == 0;
 }
 

@@ -81,7 +81,7 @@ class GeneralMethods {
   DistanceResult* result_ = nullptr;
   DistanceMethod chosen_ = DistanceMethod::column_generation;
   DistanceCounters counters_;
-  std::uint32_t asked_ = 0;            // a bit for every method with a start
+  std::uint64_t asked_ = 0;            // a bit for every method with a start
   bool has_bounds_ = false;            // the result
   const Method* concluded_ = nullptr;  // whose combination proves the upper bound; nullptr: combination_
   const WeightedPoints* combination_ = nullptr;

@@ -61,7 +61,7 @@ Body make_body(std::string name, const std::vector<std::shared_ptr<const ConvexS
                MotionPointer motion);
 
 /// What a query asks for. What no query asks for is not computed.
-enum class SceneEffects : std::uint8_t {
+enum class SceneEffects : std::uint16_t {
   none = 0,
   separated = 1,        ///< yes or no
   distance = 2,         ///< in the metric of the query
