@@ -145,14 +145,17 @@ const std::vector<CandidatePair*>& PartSweep::sweep(double t, double dt, double 
 // Which candidates may come closer than `beyond` within their travels: of parts whose boxes meet, in the
 // order of candidates_.
 const std::vector<CandidatePair*>& PartSweep::sweep(double beyond) {
+  may_meet_.clear();
+  if (candidates_->empty()) return may_meet_;
   boxes_.clear();
   for (const int i : scope_) {
     Swept& one = swept_[static_cast<std::size_t>(i)];
     one.middle = middle(i);
+    one.radius = part(i).body.ball.radius;
     const auto& standing = standing_[static_cast<std::size_t>(i)];
-    const double radius = standing ? 0 : part(i).body.ball.radius;
+    const double radius = standing ? 0 : one.radius;
     // With more than the rounding that may_meet() allows for.
-    const double size = one.middle.norm() + part(i).body.ball.radius;
+    const double size = one.middle.norm() + one.radius;
     const double reach = (radius + one.travel + beyond + 1e-11 * size) * kOutward;
     const bool bounded = std::isfinite(reach);
     const Eigen::AlignedBox3d box = standing ? *standing : Eigen::AlignedBox3d(one.middle);
@@ -163,26 +166,24 @@ const std::vector<CandidatePair*>& PartSweep::sweep(double beyond) {
   std::sort(boxes_.begin(), boxes_.end(), [](const SweptBox& one, const SweptBox& other) {
     return std::pair(one.low[0], one.part) < std::pair(other.low[0], other.part);
   });
-  may_meet_.clear();
   for (auto one = boxes_.begin(); one != boxes_.end(); ++one) {
     for (auto other = one + 1; other != boxes_.end() && other->low[0] <= one->high[0]; ++other) {
       if (other->low[1] > one->high[1] || one->low[1] > other->high[1]) continue;
       if (other->low[2] > one->high[2] || one->low[2] > other->high[2]) continue;
-      CandidatePair* candidate = find(one->part, other->part);
-      if (candidate != nullptr && may_meet(*candidate, beyond)) may_meet_.push_back(candidate);
+      if (!may_meet(one->part, other->part, beyond)) continue;
+      if (CandidatePair* candidate = find(one->part, other->part)) may_meet_.push_back(candidate);
     }
   }
   std::sort(may_meet_.begin(), may_meet_.end());
   return may_meet_;
 }
 
-bool PartSweep::may_meet(const CandidatePair& candidate, double beyond) {
+bool PartSweep::may_meet(int a, int b, double beyond) {
   ++counters_.ball_tests;
-  const auto a = static_cast<std::size_t>(candidate.part_a), b = static_cast<std::size_t>(candidate.part_b);
-  const Eigen::Vector3d &from = swept_[a].middle, &to = swept_[b].middle;
-  const double radii = parts_[a].body.ball.radius + parts_[b].body.ball.radius;
-  const double reached = radii + swept_[a].travel + swept_[b].travel + beyond;
-  return !((from - to).norm() > (reached + 1e-12 * (from.norm() + to.norm())) * kOutward);
+  const Swept &one = of(a), &other = of(b);
+  const double reached = one.radius + other.radius + one.travel + other.travel + beyond;
+  const double rounding = 1e-12 * (one.middle.norm() + other.middle.norm());
+  return !((one.middle - other.middle).norm() > (reached + rounding) * kOutward);
 }
 
 }  // namespace raygauge

@@ -21,7 +21,7 @@ class PartSweep {
   /// The ball around a part, and how far it may move.
   struct Swept {
     Eigen::Vector3d middle;
-    double travel = 0;
+    double radius = 0, travel = 0;
   };
 
   /// All candidates of a scene. Everything must outlive it.
@@ -69,7 +69,7 @@ class PartSweep {
   const SimulatedPart& part(int number) const { return parts_[static_cast<std::size_t>(number)]; }
   void number_candidates();
   Eigen::Vector3d middle(int part) const;
-  bool may_meet(const CandidatePair& candidate, double beyond);
+  bool may_meet(int a, int b, double beyond);
 
   const Dynamics& dynamics_;
   const std::vector<SimulatedBody>& bodies_;
