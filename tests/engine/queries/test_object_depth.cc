@@ -311,9 +311,9 @@ TEST(ObjectDepth, OfAUsedSolverHasTheBitsOfAFreshOne) {
   ObjectDistanceSolver used(options());
   const auto bodies = depth_bodies();
   const auto same = [](const Vector& a, const Vector& b) {
-    if (a.size() == 0 || b.size() == 0) return a.size() == b.size();
     return a.size() == b.size() &&
-           std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
+           (a.size() == 0 ||
+            std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0);
   };
   for (int i = 0; i < 200; ++i) {
     const auto& A1 = bodies[random() % bodies.size()].second;
