@@ -159,7 +159,6 @@ class CoordinateSymmetry {
 };
 
 using ConstVectorRef = Eigen::Ref<const Eigen::VectorXd>;
-using VectorRef = Eigen::Ref<Eigen::VectorXd>;
 
 struct SpatialShape;
 
