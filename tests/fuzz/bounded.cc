@@ -5,7 +5,6 @@
 // gets.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
-#include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,6 +18,7 @@
 #include <vector>
 
 #include "tests/fuzz/harness.h"
+#include "tests/fuzz/limits.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/targets.h"
 
@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr rlim_t kMostMemory = rlim_t{256} << 20;
-constexpr int kMostSeconds = 1;  // of processor time, for one input
+constexpr int kMostSeconds = kSlower;  // of processor time, for one input
 constexpr int kFewInputs = 250;
 
 /// The input that the child is at, where its parent sees it.
@@ -38,13 +38,6 @@ struct Shared {
   std::array<char, 256> complaint;
 };
 
-void limit_memory() {
-  const rlimit memory{kMostMemory, kMostMemory};
-  ::setrlimit(RLIMIT_DATA, &memory);
-  const rlimit core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &core);
-}
-
 /// Sends SIGPROF, which ends the process, after so much processor time.
 void limit_time() {
   const itimerval time{{0, 0}, {kMostSeconds, 0}};
@@ -52,7 +45,7 @@ void limit_time() {
 }
 
 [[noreturn]] void feed(const Target& target, const std::vector<std::string>& seeds, Shared& shared) {
-  limit_memory();
+  limit_memory(kMostMemory);
   Mutator mutator(1);
   int findings = 0;
   for (int i = inputs_wanted(kFewInputs); i > 0 && findings == 0; --i) {

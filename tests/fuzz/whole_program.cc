@@ -23,6 +23,7 @@
 
 #include "cli/commands/program.h"
 #include "tests/fuzz/crew_file.h"
+#include "tests/fuzz/limits.h"
 #include "tests/fuzz/mutator.h"
 
 namespace raygauge::fuzz {
@@ -32,7 +33,7 @@ namespace fs = std::filesystem;
 
 constexpr int kFewPrograms = 6, kFewFlips = 40;
 constexpr rlim_t kMostMemory = rlim_t{1} << 30;
-constexpr rlim_t kMostSeconds = 10;                  // of processor time, on one input
+constexpr rlim_t kMostSeconds = 10 * kSlower;        // of processor time, on one input
 constexpr auto kDeadlock = std::chrono::minutes(5);  // of any machine, without end
 constexpr auto kPatience = std::chrono::seconds(1);  // then what can run for long is told to stop
 
@@ -181,10 +182,9 @@ enum class Process { anew, forked };  // the second is quicker, and good for wha
   redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
   redirect(STDOUT_FILENO, "/dev/null", O_WRONLY);
   redirect(STDERR_FILENO, "errors", O_WRONLY | O_CREAT | O_TRUNC);
-  const rlimit memory{kMostMemory, kMostMemory}, seconds{kMostSeconds, kMostSeconds}, core{0, 0};
-  ::setrlimit(RLIMIT_DATA, &memory);
+  limit_memory(kMostMemory);
+  const rlimit seconds{kMostSeconds, kMostSeconds};
   ::setrlimit(RLIMIT_CPU, &seconds);
-  ::setrlimit(RLIMIT_CORE, &core);
   std::istringstream words(arguments);
   std::vector<std::string> all = {"raygauge"};
   for (std::string word; words >> word;) all.push_back(word);
