@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "scene/simulation/friction_interior.h"
 #include "scene/simulation/friction_newton.h"
 #include "scene/simulation/friction_passes.h"
 #include "scene/simulation/tuning.h"
@@ -15,7 +16,7 @@ namespace {
 /// Where Newton's method begins anew, and how steep its equations are: gentle ones see far, steep ones tell
 /// near things apart.
 struct Rung {
-  enum class From : std::uint8_t { passes, best };
+  enum class From : std::uint8_t { passes, best, interior };
 
   From from;
   double share;  // of those impulses
@@ -24,11 +25,11 @@ struct Rung {
 
 // In the order of what they solve in a millisecond.
 using From = Rung::From;
-constexpr Rung kRungs[] = {{From::best, 1, 1000},    {From::best, 1, 10},   {From::best, 1, 100},
-                           {From::passes, 1, 300},   {From::best, 1, 3e4},  {From::passes, 0.5, 30},
-                           {From::best, 1, 1},       {From::best, 1, 300},  {From::passes, 1, 10},
-                           {From::best, 1, 1e4},     {From::passes, 0, 1},  {From::passes, 2, 1},
-                           {From::passes, 0.5, 0.1}, {From::best, 1, 3000}, {From::best, 1, 1e5}};
+constexpr Rung kRungs[] = {
+    {From::interior, 1, 100}, {From::best, 1, 1000},    {From::best, 1, 10},     {From::best, 1, 100},
+    {From::passes, 1, 300},   {From::best, 1, 3e4},     {From::passes, 0.5, 30}, {From::best, 1, 1},
+    {From::best, 1, 300},     {From::passes, 1, 10},    {From::best, 1, 1e4},    {From::passes, 0, 1},
+    {From::passes, 2, 1},     {From::passes, 0.5, 0.1}, {From::best, 1, 3000},   {From::best, 1, 1e5}};
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
 double hard_friction(std::size_t contacts, bool first) {
@@ -47,7 +48,7 @@ class Ladder {
   // From where it is, by a few rounds while they gain.
   void newton_briefly() {
     Eigen::VectorXd trial = r_;
-    take(newton_.improve_briefly(tuned::kFirstSteepness, kMore * enough_, trial), trial);
+    take(newton_.improve(tuned::kFirstSteepness, enough_, trial, kBrief), trial);
   }
 
   // Passes, likewise.
@@ -58,8 +59,7 @@ class Ladder {
   }
 
   void newton(Eigen::VectorXd trial, double steepness) {
-    if (is_solved()) return;
-    take(newton_.improve(steepness, kMore * enough_, trial), trial);
+    take(newton_.improve(steepness, enough_, trial), trial);
   }
 
  private:
@@ -69,7 +69,8 @@ class Ladder {
     r_ = r;
   }
 
-  static constexpr double kMore = 0.1;  // of what is enough: the last steps gain much
+  static constexpr double kMore = 0.1;  // of what is enough: the last passes gain much
+  static constexpr int kBrief = 3;      // rounds
 
   double enough_;
   IslandNewton newton_;
@@ -102,9 +103,13 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   if (passed <= enough) return passed;
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
-  ladder.newton(guess, tuned::kFirstSteepness);
-  for (const Rung& rung : kRungs)
-    ladder.newton(rung.share * (rung.from == From::passes ? passes : r), rung.steepness);
+  ladder.newton(passes, tuned::kFirstSteepness);
+  for (const Rung& rung : kRungs) {
+    if (ladder.is_solved()) break;
+    Eigen::VectorXd start = rung.from == From::passes ? passes : r;
+    if (rung.from == From::interior) IslandInterior(island, bound).solve(enough, start);
+    ladder.newton(rung.share * start, rung.steepness);
+  }
   ladder.pass(island, bound);
   if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
   Eigen::VectorXd trial = guess;

@@ -12,10 +12,10 @@ namespace raygauge {
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr int kBrief = 3;  // rounds within which the residual is to fall to half, near a solution
+constexpr double kMore = 0.1;  // of enough: rounds that gain go on to there
+constexpr int kStuck = 3;      // rounds without a step, after which it goes back to the best
 constexpr int kMostSteps = 12, kMostHalves = 4;          // of a round, and of a step
-constexpr double kFirstSoftness = 1e-3;                  // κ, relative to W, ...
-constexpr double kByResidual = 0.1, kLeastFirst = 1e-7;  // ... and near a solution to the residual too, ...
+constexpr double kLeastFirst = 1e-7, kMostFirst = 1e-3;  // κ, relative to W, at first the residual, ...
 constexpr double kLeastSoftness = 1e-9, kMostSoftness = 1;
 constexpr double kStiffer = 0.3, kSofter = 10;  // ... and how it changes
 constexpr int kSoon = 2;                        // steps of a round after which κ falls twice
@@ -138,6 +138,7 @@ void IslandNewton::find_step(const Eigen::VectorXd& r) {
 // solved.
 int IslandNewton::solve_soft(Eigen::VectorXd& r) {
   anchor_ = r;
+  ++stuck_;
   const double first = look(r);
   double size = first;
   int k = 0;
@@ -149,6 +150,7 @@ int IslandNewton::solve_soft(Eigen::VectorXd& r) {
       next = after(share, r);
     }
     if (!(next < size)) break;
+    stuck_ = 0;
     r += share * step_;
     velocities_.reset(island_, r);
     size = look(r);
@@ -156,24 +158,14 @@ int IslandNewton::solve_soft(Eigen::VectorXd& r) {
   return size <= kFailed * first ? k : kMostSteps + 1;
 }
 
-double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r) {
+double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r, int patience) {
   steepness_ = steepness;
-  softness_ = kFirstSoftness * largest_;
-  return go(enough, tuned::kPatienceOfRounds, r);
-}
-
-double IslandNewton::improve_briefly(double steepness, double enough, Eigen::VectorXd& r) {
-  steepness_ = steepness;
-  const double near = kByResidual * island_residual(island_, bound_, r);
-  softness_ = std::clamp(near, kLeastFirst, kFirstSoftness) * largest_;
-  return go(enough, kBrief, r);
-}
-
-double IslandNewton::go(double enough, int patience, Eigen::VectorXd& r) {
   Eigen::VectorXd here = r;
   velocities_.reset(island_, here);
   double best = island_residual(island_, bound_, here), gained = best;
-  for (int round = 0, gained_at = 0; round < kMostRounds && best > enough; ++round) {
+  softness_ = std::clamp(best, kLeastFirst, kMostFirst) * largest_;
+  stuck_ = 0;
+  for (int round = 0, gained_at = 0; round < kMostRounds && best > kMore * enough; ++round) {
     const int steps = solve_soft(here);
     softness_ *= steps > kMostSteps ? kSofter : steps > kSoon ? kStiffer : kStiffer * kStiffer;
     softness_ = std::clamp(softness_, kLeastSoftness * largest_, kMostSoftness * largest_);
@@ -186,7 +178,11 @@ double IslandNewton::go(double enough, int patience, Eigen::VectorXd& r) {
       gained = best;
       gained_at = round;
     }
-    if (round > gained_at + patience) break;
+    if (round > gained_at + (best <= enough ? 0 : patience)) break;
+    if (stuck_ < kStuck) continue;
+    here = r;
+    velocities_.reset(island_, here);
+    stuck_ = 0;
   }
   return best;
 }

@@ -6,6 +6,7 @@
 
 #include "scene/simulation/body_factors.h"
 #include "scene/simulation/friction_island.h"
+#include "scene/simulation/tuning.h"
 
 namespace raygauge {
 
@@ -30,14 +31,12 @@ class IslandNewton {
   /// `bound`: of ‖W‖.
   IslandNewton(const FrictionIsland& island, double bound);
 
-  /// From r to the best that was seen, until its island_residual() is `enough` or falls no longer. Returns
-  /// it; it is never above that of r. ρ is `steepness`/‖W of the contact‖: where it is large, bodies that
-  /// slip by little are told from such that stick.
-  double improve(double steepness, double enough, Eigen::VectorXd& r);
-
-  /// The same where r is near: by contacts that are the stiffer the nearer it is, and only while a few rounds
-  /// gain.
-  double improve_briefly(double steepness, double enough, Eigen::VectorXd& r);
+  /// From r to the best that was seen, until its island_residual() is `enough` and falls no longer, or has
+  /// not fallen to half within so many rounds. Returns it; it is never above that of r. ρ is `steepness`/‖W
+  /// of the contact‖: where it is large, bodies that slip by little are told from such that stick. Contacts
+  /// are the stiffer at first the nearer r is.
+  double improve(double steepness, double enough, Eigen::VectorXd& r,
+                 int patience = tuned::kPatienceOfRounds);
 
  private:
   struct Row {
@@ -54,12 +53,12 @@ class IslandNewton {
   void take_slope(std::size_t c, const Eigen::Vector3d& r);
   void find_step(const Eigen::VectorXd& r);
   int solve_soft(Eigen::VectorXd& r);
-  double go(double enough, int patience, Eigen::VectorXd& r);
 
   const FrictionIsland& island_;
   double bound_, size_of_q_;
   double largest_ = 0;  // number on the diagonal of W
   double softness_ = 0, steepness_ = 1;
+  int stuck_ = 0;  // rounds since the last step
   Eigen::VectorXd anchor_, step_;
   std::vector<Row> rows_;
   IslandVelocities velocities_;
