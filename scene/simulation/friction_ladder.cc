@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/simulation/friction_ladder.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -111,7 +112,8 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
     ladder.newton(rung.share * start, rung.steepness);
   }
   ladder.pass(island, bound);
-  if (friction == nullptr || ladder.residual() <= hard_friction(count, first)) return ladder.residual();
+  if (friction == nullptr || ladder.residual() <= std::max(enough, hard_friction(count, first)))
+    return ladder.residual();
   Eigen::VectorXd trial = guess;
   friction->solve(island.dense(), trial);
   ladder.newton(trial, tuned::kFirstSteepness);
