@@ -178,7 +178,7 @@ double IslandNewton::improve(double steepness, double enough, Eigen::VectorXd& r
       gained = best;
       gained_at = round;
     }
-    if (round > gained_at + (best <= enough ? 0 : patience)) break;
+    if (round > gained_at + (best <= enough ? 1 : patience)) break;
     if (stuck_ < kStuck) continue;
     here = r;
     velocities_.reset(island_, here);

@@ -24,7 +24,8 @@ inline constexpr double kSolvedFriction = 1e-9;
 /// stand.
 inline constexpr double enough_friction(std::size_t contacts, bool first) {
   constexpr double kEnoughOfMany = 9e-9;
-  return contacts > kFewContacts && !first ? kEnoughOfMany : kSolvedFriction;
+  constexpr std::size_t kMany = 100;
+  return contacts > kMany && !first ? kEnoughOfMany : kSolvedFriction;
 }
 
 /// Passes over the contacts of an island, each solved by itself while the others stay (Gauss and Seidel's
