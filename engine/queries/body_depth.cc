@@ -352,6 +352,8 @@ void BodyDepth::add_near_normals(double relative, double angle, std::vector<Vect
     add_near_facets(boxes_, relative, angle, normals);
   } else if (source_ == Source::polytopes) {
     add_near_facets(polytopes_, relative, angle, normals);
+  } else if (source_ == Source::frustum) {
+    add_near_facets(frustum_, relative, angle, normals);
   } else if (source_ == Source::quick) {
     quick_.add_near_normals(relative, angle, normals);
   } else {
