@@ -31,7 +31,7 @@ ArcDepth::End ArcDepth::look(double x, double y, bool is_top) noexcept {
   ++looks_;
   const Vector3 u = basis_[0] * x + basis_[1] * y;
   const Vector3 rim = frustum_.point(u, is_top);
-  End end;
+  End end{};
   end.x = x;
   end.y = y;
   end.p = q_[0] + dot(rim, basis_[0]);
@@ -156,9 +156,10 @@ bool ArcDepth::search(double x_1, double y_1, double x_2, double y_2, double upp
   double x = x_1, y = y_1;
   for (int i = 0; i <= crossings; ++i) {
     const double to_x = i < crossings ? at[i][0] : x_2, to_y = i < crossings ? at[i][1] : y_2;
-    Piece piece;
-    piece.is_top = frustum_.is_top((basis_[0] * (x + to_x) + basis_[1] * (y + to_y)) *
-                                   (1 / std::hypot(x + to_x, y + to_y)));
+    Piece piece{};
+    const double middle_x = x + to_x, middle_y = y + to_y;
+    const double middle_z = basis_[0].z * middle_x + basis_[1].z * middle_y;
+    piece.is_top = middle_z > frustum_.along * std::sqrt(middle_x * middle_x + middle_y * middle_y);
     piece.end[0] = look(x, y, piece.is_top);
     piece.end[1] = look(to_x, to_y, piece.is_top);
     for (const End& end : piece.end) keep(end, piece.is_top, false);

@@ -71,12 +71,14 @@ class ArcDepth {
   double along(const Vector3& u, int i) const noexcept { return dot(u, basis_[i]); }
 
  private:
+  /// The direction x, y and the point p, q of the plane across the edge; u_z and ρ. Not set: there is a row
+  /// of them.
   struct End {
-    double x = 0, y = 0, p = 0, q = 0, height = 0, z = 0, rho = 0;
+    double x, y, p, q, height, z, rho;
   };
   struct Piece {
     End end[2];
-    bool is_top = false;
+    bool is_top;
   };
   static constexpr int kMostLooks = 160, kMostPieces = 32;
 
@@ -100,7 +102,7 @@ class ArcDepth {
   double edge_z_ = 0;     // squared
   int looks_ = 0;
   double lower_ = 0, height_ = 0;
-  End best_;
+  End best_{};
   bool is_top_ = false, is_inside_ = false;  // of a piece
 };
 

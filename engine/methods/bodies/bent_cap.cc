@@ -15,7 +15,8 @@
 //
 // as |u| <= 1 + |t|²/2. Of two such points a and b whose shares are 1 - λ and λ the mean of both bounds is
 // one, and the larger of both exceeds it by m = min(λ, 1 - λ) times their difference: at least m |d·t| less
-// what the heights and K differ by, d = w_b - w_a, and |d·t| >= (d·t)²/(|d| T).
+// what the heights and K differ by, d = w_b - w_a, and |d·t| >= (d·t)²/(|d| T). As it is never below the
+// mean, any part of that excess is a bound, too.
 #include <algorithm>
 #include <cmath>
 
@@ -133,8 +134,13 @@ double ProvenCap::Bent::least_of(double T, double size) const {
   const Form change = K[1] + K[0] * -1.0;
   const double more = std::min(share, 1 - share), apart = std::sqrt(d[0] * d[0] + d[1] * d[1]);
   const Form across = Form{d[0] * d[0], d[0] * d[1], d[1] * d[1]} * (more / (apart * T));
-  const double lost = std::sqrt(change.ee * change.ee + 2 * change.ef * change.ef + change.ff * change.ff);
-  return (K[0] * (1 - share) + K[1] * share + across).least() - more * lost;
+  const double lost =
+      more * std::sqrt(change.ee * change.ee + 2 * change.ef * change.ef + change.ff * change.ff);
+  const Form mean_of_both = K[0] * (1 - share) + K[1] * share;
+  double least = 0;
+  for (const double part : {1.0, 0.5, 0.25, 0.125})
+    least = std::max(least, (mean_of_both + across * part).least() - part * lost);
+  return least;
 }
 
 bool ProvenCap::Bent::is_settled(double precision) const {

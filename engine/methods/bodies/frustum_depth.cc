@@ -220,7 +220,8 @@ bool FrustumDepth::take_circle() noexcept {
   const bool is_upright = !(dot(across, across) > kUpright * kUpright);
   if (!arc_.set_edge(e, is_upright ? any_orthogonal(e) : cross(across, e), placed_.corner_at(0)))
     return false;
-  constexpr double kQuarter[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
+  constexpr double k = 0.70710678118654752;  // no end is along the axis, where the least is searched for
+  constexpr double kQuarter[5][2] = {{k, k}, {-k, k}, {-k, -k}, {k, -k}, {k, k}};
   for (int i = 0; i < 4; ++i) {
     const double *const from = kQuarter[i], *const to = kQuarter[i + 1];
     if (!arc_.search(from[0], from[1], to[0], to[1], height_, gap_) || !take_found()) return false;
@@ -292,9 +293,28 @@ bool FrustumDepth::find_line(Vector3& of_frustum) const noexcept {
   return true;
 }
 
+// Whether a point of the sum is that of the frustum and one of the other body.
+bool FrustumDepth::holds(const Vector3& of_frustum, const Vector3& of_other) const noexcept {
+  const Vector3 &x = of_frustum, &y = of_other;
+  const double margin = kNearby * size_, share = x.z / frustum_.full;
+  const double room = frustum_.base + share * (frustum_.top - frustum_.base) + margin;
+  if (!(x.z > -margin && x.z < frustum_.full + margin && x.x * x.x + x.y * x.y < room * room)) return false;
+  for (int i = 0; i < placed_.facets; ++i) {
+    const Vector3 n = placed_.normal_at(i), point{point_[0][i], point_[1][i], point_[2][i]};
+    if (dot(n, y + point) > facet_[i] + margin) return false;
+  }
+  if (placed_.facets > 0) return true;
+  const Vector3 way = placed_.corner_at(placed_.corners - 1) - placed_.corner_at(0),
+                from = y - placed_.corner_at(0);
+  const double square = dot(way, way), t = square > 0 ? std::clamp(dot(from, way) / square, 0.0, 1.0) : 0.0;
+  const Vector3 off = from - way * t;
+  return dot(off, off) < margin * margin;
+}
+
 bool FrustumDepth::find_contact(Vector3& of_first) const noexcept {
   Vector3 of_frustum;
   if (!find_point(of_frustum) && !find_line(of_frustum)) return false;
+  if (!holds(of_frustum, at_ * height_ - of_frustum)) return false;
   of_first = point_in_first(of_frustum);
   return true;
 }

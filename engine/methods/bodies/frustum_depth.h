@@ -61,6 +61,7 @@ class FrustumDepth : public FacetDepth {
   Vector3 point_in_first(const Vector3& of_frustum) const noexcept;
   bool find_point(Vector3& of_frustum) const noexcept;
   bool find_line(Vector3& of_frustum) const noexcept;
+  bool holds(const Vector3& of_frustum, const Vector3& of_other) const noexcept;
   double height_of_corners(const Vector3& u) const noexcept;
   bool take(double height, double lower, const Vector3& u) noexcept;
   bool take_discs() noexcept;
