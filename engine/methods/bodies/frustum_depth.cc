@@ -220,8 +220,9 @@ bool FrustumDepth::take_circle() noexcept {
   const bool is_upright = !(dot(across, across) > kUpright * kUpright);
   if (!arc_.set_edge(e, is_upright ? any_orthogonal(e) : cross(across, e), placed_.corner_at(0)))
     return false;
-  constexpr double k = 0.70710678118654752;  // no end is along the axis, where the least is searched for
-  constexpr double kQuarter[5][2] = {{k, k}, {-k, k}, {-k, -k}, {k, -k}, {k, k}};
+  constexpr double kHalf = 0.70710678118654752;  // no end is along the axis, where the least is searched for
+  constexpr double kQuarter[5][2] = {
+      {kHalf, kHalf}, {-kHalf, kHalf}, {-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}};
   for (int i = 0; i < 4; ++i) {
     const double *const from = kQuarter[i], *const to = kQuarter[i + 1];
     if (!arc_.search(from[0], from[1], to[0], to[1], height_, gap_) || !take_found()) return false;
