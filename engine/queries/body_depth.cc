@@ -25,6 +25,8 @@ SpatialShape core_of(const SpatialShape& shape) {
   return core;
 }
 
+bool has_frustum(const SpatialPair& pair) { return has_discs(pair.shape(0)) || has_discs(pair.shape(1)); }
+
 // The point of the difference of the cores that is nearest to the origin, in double-double arithmetic, by the
 // algorithm of Gilbert, Johnson & Keerthi from what the distance in doubles found: of a centre and a core
 // with a formula its projection, else the support point for the normal, and the vertices and curves that it
@@ -324,8 +326,8 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
   const bool were_apart = has_balls() && start.pair != nullptr && start.pair->count > 0;  // most likely still
   if (were_apart && solve_apart(tolerance, start.pair, answer)) return;
   if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
-  // It leaves no polytope to go on from, which takes half as long.
-  if (!start.is_kept && leave_polytopes(tolerance, answer)) return;
+  // It leaves no polytope to go on from, which takes half as long; but beside a frustum not so long.
+  if ((!start.is_kept || has_frustum(pair_)) && leave_polytopes(tolerance, answer)) return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);
   if (may_be_apart && !were_apart && solve_apart(tolerance, start.pair, answer)) return;
   // Of a convex core without the origin, v apart from it, the depth is -|v|.
@@ -352,6 +354,8 @@ void BodyDepth::add_near_normals(double relative, double angle, std::vector<Vect
     add_near_facets(boxes_, relative, angle, normals);
   } else if (source_ == Source::polytopes) {
     add_near_facets(polytopes_, relative, angle, normals);
+  } else if (source_ == Source::frustum) {
+    add_near_facets(frustum_, relative, angle, normals);
   } else if (source_ == Source::quick) {
     quick_.add_near_normals(relative, angle, normals);
   } else {

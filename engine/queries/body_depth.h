@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/methods/bodies/body_oracles.h"
+#include "engine/methods/bodies/frustum_depth.h"
 #include "engine/methods/bodies/polytope_depth.h"
 #include "engine/methods/bodies/zonotope_depth.h"
 #include "engine/numerics/stopwatch.h"
@@ -63,7 +64,7 @@ class BodyDepth {
   void add_near_normals(double relative, double angle, std::vector<Vector3>& normals) const;
 
  private:
-  enum class Source : std::uint8_t { none, hull, boxes, polytopes, quick, precise };
+  enum class Source : std::uint8_t { none, hull, boxes, polytopes, frustum, quick, precise };
   bool has_balls() const noexcept { return radius_[0] > 0 || radius_[1] > 0; }
   bool has_parted(const PairStart& start, BodyDepthAnswer& answer);
   bool solve_apart(double tolerance, const PairStart* start, BodyDepthAnswer& answer);
@@ -102,7 +103,8 @@ class BodyDepth {
   HullSurface::Nearest plane_;  // of a hull that both bodies are proven by
   ZonotopeDepth boxes_;
   PolytopeDepth polytopes_;
-  PolytopeFaces box_;  // the facets of the one that is a box
+  FrustumDepth frustum_;
+  PolytopeFaces box_;  // the facets of the one that is a box, or the ends of a segment
   double enough_ = 0;
   double tiny_ = 0;               // at least |s| on the difference of cores that are as good as one point
   double floor_ = 0;              // proven of the depth of the cores

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The depth of bodies of which all facets are known: no search. A ball or a capsule whose core is in a hull
-// with a known surface; two boxes, or a box and a capsule; small hulls and boxes.
+// with a known surface; two boxes, or a box and a capsule; small hulls and
+// boxes; one of all these and a cylinder or a cone.
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +53,20 @@ Vector3 touching(const InHull& in, const HullSurface::Nearest& nearest) {
     nearest_of_segments(middle, half, in.own, in.own_half, s, t);
   }
   return in.center + in.half * t;
+}
+
+// Of a small hull, a box, a segment or a point; the last three are put into `own`.
+const PolytopeFaces* faces_of(const SpatialShape& shape, PolytopeFaces& own) {
+  if (shape.kind == SpatialShape::Kind::points)
+    return shape.table != nullptr ? shape.table->surface().faces() : nullptr;
+  if (shape.kind == SpatialShape::Kind::box) {
+    own = PolytopeFaces::of_box(shape.base, shape.top);
+    return &own;
+  }
+  if (!is_between_ends(shape)) return nullptr;
+  const bool is_segment = !is_point(shape);
+  own.set_segment(is_segment ? shape.base : shape.center, is_segment ? shape.top : shape.center);
+  return &own;
 }
 
 }  // namespace
@@ -118,23 +133,28 @@ bool BodyDepth::leave_boxes(double tolerance, BodyDepthAnswer& answer) {
   return leave_known(boxes_, Source::boxes, pair_.shape(0).center, tolerance, answer);
 }
 
-// Both are small hulls, or one of them a box.
+// Both are small hulls, or one of them a box; or one is a frustum and the other one such a polytope, a
+// segment or a point.
 bool BodyDepth::leave_polytopes(double tolerance, BodyDepthAnswer& answer) {
   if (pair_.dimension() != 3) return false;
-  const auto faces_of = [&](const SpatialShape& shape) -> const PolytopeFaces* {
-    if (shape.kind == SpatialShape::Kind::points && shape.table != nullptr)
-      return shape.table->surface().faces();
-    if (shape.kind != SpatialShape::Kind::box) return nullptr;
-    box_ = PolytopeFaces::of_box(shape.base, shape.top);
-    return &box_;
-  };
   const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
-  if (one.kind == SpatialShape::Kind::box && two.kind == SpatialShape::Kind::box) return false;
-  const PolytopeFaces* first = faces_of(one);
-  const PolytopeFaces* second = first != nullptr ? faces_of(two) : nullptr;
-  return second != nullptr &&
-         polytopes_.solve(*first, *second, pair_.frame().R, pair_.frame().from_second({}),
-                          pair_.pose(0).defect + pair_.pose(1).defect, 2 * pair_.size()) &&
+  const Matrix3& R = pair_.frame().R;
+  const Vector3& t = pair_.frame().t;
+  const double defect = pair_.pose(0).defect + pair_.pose(1).defect, size = 2 * pair_.size();
+  const auto is_frustum = [](const SpatialShape& shape) { return shape.kind == SpatialShape::Kind::frustum; };
+  if (is_frustum(one) || is_frustum(two)) {
+    constexpr double kShareOfGap = 0.25;
+    const int body = is_frustum(one) ? 0 : 1;
+    const PolytopeFaces* other = faces_of(pair_.shape(1 - body), box_);
+    return other != nullptr &&
+           frustum_.solve(pair_.shape(body), body, *other, R, t, defect, size, kShareOfGap * tolerance) &&
+           leave_known(frustum_, Source::frustum, {}, tolerance, answer);
+  }
+  const auto is_hull = [](const SpatialShape& shape) { return shape.kind == SpatialShape::Kind::points; };
+  if (!is_hull(one) && !is_hull(two)) return false;
+  const PolytopeFaces* first = faces_of(one, box_);
+  const PolytopeFaces* second = first != nullptr && first->facets > 0 ? faces_of(two, box_) : nullptr;
+  return second != nullptr && second->facets > 0 && polytopes_.solve(*first, *second, R, t, defect, size) &&
          leave_known(polytopes_, Source::polytopes, {}, tolerance, answer);
 }
 
@@ -152,6 +172,7 @@ void BodyDepth::add_near_facets(const Known& known, double relative, double angl
 
 template void BodyDepth::add_near_facets(const ZonotopeDepth&, double, double, std::vector<Vector3>&) const;
 template void BodyDepth::add_near_facets(const PolytopeDepth&, double, double, std::vector<Vector3>&) const;
+template void BodyDepth::add_near_facets(const FrustumDepth&, double, double, std::vector<Vector3>&) const;
 
 void BodyDepth::add_near_planes(double relative, double angle, std::vector<Vector3>& normals) const {
   constexpr double kRounding = 1 + 1e-9;

@@ -33,4 +33,17 @@ PolytopeFaces PolytopeFaces::of_box(const Vector3& base, const Vector3& top) noe
   return box;
 }
 
+void PolytopeFaces::set_segment(const Vector3& base, const Vector3& top) noexcept {
+  const Vector3 along = top - base;
+  edges = dot(along, along) > 0 ? 1 : 0;
+  corners = 1 + edges;
+  facets = 0;
+  turned = 0;
+  for (int k = 0; k < 3; ++k) {
+    corner[k][0] = (&base.x)[k];
+    corner[k][1] = (&top.x)[k];
+    this->way[k][0] = (&along.x)[k];
+  }
+}
+
 }  // namespace raygauge

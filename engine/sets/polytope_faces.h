@@ -27,6 +27,9 @@ struct PolytopeFaces {
 
   /// The box [base, top].
   static PolytopeFaces of_box(const Vector3& base, const Vector3& top) noexcept;
+
+  /// The segment [base, top], an edge without facets beside it; where both are the same, one corner.
+  void set_segment(const Vector3& base, const Vector3& top) noexcept;
 };
 
 }  // namespace raygauge

@@ -15,9 +15,11 @@
 //
 // as |u| <= 1 + |t|²/2. Of two such points a and b whose shares are 1 - λ and λ the mean of both bounds is
 // one, and the larger of both exceeds it by m = min(λ, 1 - λ) times their difference: at least m |d·t| less
-// what the heights and K differ by, d = w_b - w_a, and |d·t| >= (d·t)²/(|d| T).
+// what the heights and K differ by, d = w_b - w_a, and |d·t| >= (d·t)²/(|d| T). As it is never below the
+// mean, any part of that excess is a bound, too.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/methods/bodies/proven_cap.h"
 
@@ -74,7 +76,7 @@ struct ProvenCap::Bent {
   bool is_settled(double precision) const;
   void look(const Vector3& n, const DepthPoint<double>* point, DepthOracle<double>& oracle);
   bool step(Vector3& n) const;
-  double least_of(double T, double size) const;
+  double least_of(double T, double size, double part) const;
 };
 
 void ProvenCap::Bent::look(const Vector3& n, const DepthPoint<double>* point, DepthOracle<double>& oracle) {
@@ -125,16 +127,16 @@ bool ProvenCap::Bent::step(Vector3& n) const {
   return true;
 }
 
-// κ for this T.
-double ProvenCap::Bent::least_of(double T, double size) const {
+// κ for this T, with that part of what the larger of two bounds exceeds their mean by.
+double ProvenCap::Bent::least_of(double T, double size, double part) const {
   Form K[2];
   for (int k = 0; k < count; ++k) K[k] = chord(bend[k].of[0], T, size) + chord(bend[k].of[1], T, size);
   if (count == 1) return K[0].least();
   const Form change = K[1] + K[0] * -1.0;
   const double more = std::min(share, 1 - share), apart = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-  const Form across = Form{d[0] * d[0], d[0] * d[1], d[1] * d[1]} * (more / (apart * T));
+  const Form across = Form{d[0] * d[0], d[0] * d[1], d[1] * d[1]} * (part * more / (apart * T));
   const double lost = std::sqrt(change.ee * change.ee + 2 * change.ef * change.ef + change.ff * change.ff);
-  return (K[0] * (1 - share) + K[1] * share + across).least() - more * lost;
+  return (K[0] * (1 - share) + K[1] * share + across).least() - part * more * lost;
 }
 
 bool ProvenCap::Bent::is_settled(double precision) const {
@@ -166,15 +168,18 @@ bool ProvenCap::find_bent(const DepthPoint<double>* const* corner, const Vector3
 bool ProvenCap::measure_bent(const Bent& bent, double size, double error) noexcept {
   constexpr double kMargin = 1 + 1e-6, kRoom = 0.02;  // of the mean: far more than rounding
   constexpr double kTangents[] = {0.6, 0.4, 0.28, 0.2, 0.14, 0.1, 0.07};
+  constexpr double kParts[] = {1, 0.5, 0.25, 0.125};
   const double off = bent.off_size() + kRounding * size;
   for (const double T : kTangents) {
-    const double room = 4 * bent.least_of(T, size) - 2 * bent.mean * kMargin;
-    if (!(room > kRoom * bent.mean)) continue;
-    height_ = (bent.mean - bent.uneven() - off * off / room) * (1 - 0x1p-48) - error * (1 + 0x1p-48);
-    cosine_ = 1 / std::sqrt(1 + T * T) + 1e-9;
-    share_ = bent.share;
-    is_bent_ = true;
-    return height_ > 0;
+    for (const double part : std::span(kParts).first(bent.count == 2 ? 4 : 1)) {
+      const double room = 4 * bent.least_of(T, size, part) - 2 * bent.mean * kMargin;
+      if (!(room > kRoom * bent.mean)) continue;
+      height_ = (bent.mean - bent.uneven() - off * off / room) * (1 - 0x1p-48) - error * (1 + 0x1p-48);
+      cosine_ = 1 / std::sqrt(1 + T * T) + 1e-9;
+      share_ = bent.share;
+      is_bent_ = true;
+      return height_ > 0;
+    }
   }
   return false;
 }

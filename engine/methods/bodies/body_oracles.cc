@@ -3,6 +3,7 @@
 #include "engine/methods/bodies/body_oracles.h"
 
 #include <cmath>
+#include <utility>
 
 namespace raygauge {
 namespace {
@@ -73,6 +74,33 @@ PointBend SpatialOracle::bend(const Vector& u, const Vector& e, const Vector& f,
     piece = {height, length(across), dot(e, He) * height, dot(e, Hf) * height, dot(f, Hf) * height};
   }
   return bend;
+}
+
+// Across the sides of two frustums, whose normals have u·a = s_1 with the axis of the first and u·b = -s_2
+// with that of the second: u = α a + β b ± γ a × b, on the side where D is lower. Its corners are those of
+// the sum of both lines.
+bool SpatialOracle::likely_face(DepthPoint<double>* corner, Vector& n) {
+  constexpr double kParallel = 1e-3;
+  const SpatialShape &one = pair_.shape(0), &two = pair_.shape(1);
+  if (!follows_ || !has_discs(one) || !has_discs(two)) return false;
+  const Vector3 a = one.axis.column[0], b = pair_.frame().R * two.axis.column[0], across = cross(a, b);
+  const double square = dot(across, across), cosine = dot(a, b), s = one.side_along, t = -two.side_along;
+  const double of_a = s - cosine * t, of_b = t - cosine * s, rest = square - of_a * s - of_b * t;
+  if (!(square > kParallel && rest > 0)) return false;
+  const Vector3 apart = one.base - pair_.frame().from_second(two.base);
+  n = a * of_a + b * of_b + across * (dot(apart, across) > 0 ? -std::sqrt(rest) : std::sqrt(rest));
+  n = n * (1 / length(n));
+  constexpr std::int32_t kBase = FrustumCore::kBase, kTop = FrustumCore::kTop;
+  constexpr std::int32_t kRims[4][2] = {{kBase, kBase}, {kTop, kBase}, {kTop, kTop}, {kBase, kTop}};
+  for (int k = 0; k < 4; ++k) {
+    corner[k].index_1 = kRims[k][0];
+    corner[k].index_2 = kRims[k][1];
+  }
+  follow(n, corner, 3);
+  follow(n, corner + 3, 1);
+  if (dot(cross(corner[1].s - corner[0].s, corner[2].s - corner[0].s), n) < 0)
+    std::swap(corner[1], corner[3]);
+  return true;
 }
 
 bool PreciseOracle::bind(const SpatialPair& pair) {

@@ -30,6 +30,7 @@ class SpatialOracle final : public EuclideanOracle<double> {
   void support_again(const DepthMemory::Corner& corner, DepthPoint<double>& point) override;
   void follow(const Vector& u, DepthPoint<double>* point, int count) override;
   PointBend bend(const Vector& u, const Vector& e, const Vector& f, const DepthPoint<double>& point) override;
+  bool likely_face(DepthPoint<double>* corner, Vector& n) override;
 
  private:
   static void put(const SpatialPoint& found, DepthPoint<double>& point);

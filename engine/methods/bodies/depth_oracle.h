@@ -40,6 +40,10 @@ class DepthOracle {
     return {};
   }
 
+  /// A face of D that is likely to be the nearest, in closed form: four corners in order around n. False
+  /// where none is known.
+  virtual bool likely_face(DepthPoint<Real>* /*corner*/, Vector& /*n*/) { return false; }
+
   /// Whether follow() moves any: of cores that are curved, in doubles.
   bool follows() const noexcept { return follows_; }
 

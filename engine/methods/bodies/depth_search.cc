@@ -41,6 +41,30 @@ double weights_along(const InnerPolytope<Real>& of, std::int32_t i, const Vector
   return std::isfinite(sum) && sum > 0 ? outside : std::numeric_limits<double>::infinity();
 }
 
+// Of a convex polytope the ray leaves through the facet whose plane it meets first. A face of D may be
+// several triangles in one plane: the one that holds the point.
+template <class Real>
+std::int32_t find_exit(const InnerPolytope<Real>& of, const Vector3& u) {
+  constexpr double kSamePlane = 1 + 1e-9, kInfinite = std::numeric_limits<double>::infinity();
+  const auto meets = [&](std::int32_t i) {
+    const DepthFacet<Real>& facet = of.facet(i);
+    const double reach = rounded(facet.reach), along = dot(rounded(facet.n), u);
+    return facet.stamp > 0 && reach > 0 && along > 0 ? reach / along : kInfinite;
+  };
+  double first = kInfinite, best = kInfinite;
+  std::int32_t exit = -1;
+  for (std::int32_t i = 0; i < of.facet_count(); ++i) first = std::min(first, meets(i));
+  for (std::int32_t i = 0; i < of.facet_count(); ++i) {
+    if (!(meets(i) <= first * kSamePlane)) continue;
+    double weight[3];
+    const double outside = weights_along(of, i, u, weight);
+    if (!(outside < best)) continue;
+    best = outside;
+    exit = i;
+  }
+  return exit;
+}
+
 // Whether D is for certain as thick as that.
 template <class Real>
 bool is_solid(const DepthOracle<Real>& D, double thickness) {
@@ -219,6 +243,19 @@ bool DepthSearch<Real>::find_cap(std::int32_t least, const DepthPoint<Real>& fou
   }
 }
 
+// Its direction as a bound, and its cap.
+template <class Real>
+void DepthSearch<Real>::take_likely_face() {
+  if constexpr (kIsDouble<Real>) {
+    DepthPoint<double> corner[4], point;
+    Vector3 n;
+    if (!oracle_->likely_face(corner, n)) return;
+    probe(n, point, false);
+    ProvenCap cap;
+    if (cap.take_face(corner, n, *oracle_) && cap.height() >= closing()) caps_.add(cap);
+  }
+}
+
 template <class Real>
 void DepthSearch<Real>::restart(DepthOracle<Real>& oracle, const Goal& goal) {
   oracle_ = &oracle;
@@ -239,6 +276,7 @@ DepthEnd DepthSearch<Real>::run(DepthOracle<Real>& oracle, const Vector& start, 
   restart(oracle, goal);
   solid_ = begin(start);
   if (!solid_) return closes(lower_) ? DepthEnd::closed : DepthEnd::flat;
+  take_likely_face();
   evaluate_new_facets();
   open_new_facets();
   return expand(watch);
@@ -259,6 +297,7 @@ bool DepthSearch<Real>::run_again(DepthOracle<Real>& oracle, const DepthMemory& 
   if (!solid_) return false;
   DepthPoint<Real> point;
   probe(polytope_.facet(least).n, point, true);
+  take_likely_face();
   open_new_facets();
   return expand(watch) == DepthEnd::closed;
 }
@@ -294,30 +333,6 @@ DepthEnd DepthSearch<Real>::expand(const Stopwatch& watch) {
   return DepthEnd::limit;
 }
 
-// Of a convex polytope the ray leaves through the facet whose plane it meets first. A face of D may be
-// several triangles in one plane: the one that holds the point.
-template <class Real>
-std::int32_t DepthSearch<Real>::find_exit(const Vector3& u) const {
-  constexpr double kSamePlane = 1 + 1e-9, kInfinite = std::numeric_limits<double>::infinity();
-  const auto meets = [&](std::int32_t i) {
-    const DepthFacet<Real>& facet = polytope_.facet(i);
-    const double reach = rounded(facet.reach), along = dot(rounded(facet.n), u);
-    return facet.stamp > 0 && reach > 0 && along > 0 ? reach / along : kInfinite;
-  };
-  double first = kInfinite, best = kInfinite;
-  std::int32_t exit = -1;
-  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) first = std::min(first, meets(i));
-  for (std::int32_t i = 0; i < polytope_.facet_count(); ++i) {
-    if (!(meets(i) <= first * kSamePlane)) continue;
-    double weight[3];
-    const double outside = weights_along(polytope_, i, u, weight);
-    if (!(outside < best)) continue;
-    best = outside;
-    exit = i;
-  }
-  return exit;
-}
-
 // From one facet to the next on the side of the ray, which is not far from where the search has ended.
 template <class Real>
 std::int32_t DepthSearch<Real>::walk_to_exit(const Vector3& u) const {
@@ -338,7 +353,7 @@ bool DepthSearch<Real>::contact(const Vector3& u, Vector3& a1, Vector3& a2) cons
   if (!solid_) return false;
   if (caps_.contact(u, goal_.tolerance, a1, a2)) return true;
   std::int32_t exit = walk_to_exit(u);
-  if (exit < 0) exit = find_exit(u);
+  if (exit < 0) exit = find_exit(polytope_, u);
   if (exit < 0) return false;
   double weight[3], sum = 0;
   weights_along(polytope_, exit, u, weight);

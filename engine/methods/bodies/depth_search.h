@@ -95,11 +95,11 @@ class DepthSearch {
   int probe_both(const Vector& u, const Vector& from, DepthPoint<Real>* point);
   double value_of(const DepthFacet<Real>& facet) const;
   bool find_cap(std::int32_t least, const DepthPoint<Real>& found);
+  void take_likely_face();
   void reopen_facets();
   std::int32_t evaluate_new_facets();
   void open_new_facets();
   bool settles(std::int32_t i, double enough);
-  std::int32_t find_exit(const Vector3& u) const;
   std::int32_t walk_to_exit(const Vector3& u) const;
 
   InnerPolytope<Real> polytope_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/methods/bodies/proven_cap.h"
 
+#include <algorithm>
+
 #include "engine/methods/spatial/triangle_normal.h"
 
 namespace raygauge {
@@ -50,9 +52,10 @@ bool ProvenCap::follow(double most, double tolerance, DepthOracle<double>& oracl
 // The margins are far above what rounding loses of products of vectors up to `size`, divided by an edge.
 bool ProvenCap::measure(double size, double error) noexcept {
   constexpr double kLeastEdge = 1e-4, kRounding = 1e-9;  // of the size
+  constexpr double kLeastCosine = 0.01;                  // no cap is half of the sphere
   double nearest = size, least = dot(n_, corner_[0].s);
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 &a = corner_[k].s, &b = corner_[(k + 1) % 3].s, edge = b - a;
+  for (int k = 0; k < count_; ++k) {
+    const Vector3 &a = corner_[k].s, &b = corner_[k + 1 < count_ ? k + 1 : 0].s, edge = b - a;
     const double square = dot(edge, edge);
     if (!(square > kLeastEdge * kLeastEdge * size * size)) return false;
     nearest = std::fmin(nearest, dot(cross(a, b), n_) / std::sqrt(square));
@@ -62,8 +65,8 @@ bool ProvenCap::measure(double size, double error) noexcept {
   nearest -= kRounding * size;
   if (!(height_ > kRounding * size && nearest > 0)) return false;
   const double share = nearest / least, square = share * share;
-  cosine_ = (1 - square) / (1 + square) + kRounding;
-  return cosine_ > 0 && cosine_ < 1;
+  cosine_ = std::fmax((1 - square) / (1 + square), kLeastCosine) + kRounding;
+  return cosine_ < 1;
 }
 
 bool ProvenCap::find(const DepthPoint<double>* const* corner, const Vector3& n, double most, double tolerance,
@@ -73,6 +76,15 @@ bool ProvenCap::find(const DepthPoint<double>* const* corner, const Vector3& n, 
   return follow(most, tolerance, oracle) && measure(oracle.size(), oracle.error());
 }
 
+bool ProvenCap::take_face(const DepthPoint<double>* corner, const Vector3& n,
+                          const DepthOracle<double>& oracle) {
+  std::copy_n(corner, 4, corner_);
+  count_ = 4;
+  n_ = n;
+  return measure(oracle.size(), oracle.error());
+}
+
+// Of four corners the first and the third are those of two triangles.
 bool ProvenCap::contact(const Vector3& u, double tolerance, Vector3& a1, Vector3& a2) const noexcept {
   const double size = std::sqrt(dot(u, u));
   if (is_bent_) {
@@ -83,16 +95,18 @@ bool ProvenCap::contact(const Vector3& u, double tolerance, Vector3& a1, Vector3
     a2 = corner_[0].a2 + (corner_[1].a2 - corner_[0].a2) * share_;
     return true;
   }
+  const int next = count_ == 4 && dot(u, cross(corner_[2].s, corner_[0].s)) < 0 ? 2 : 1;
+  const DepthPoint<double>* const at[3] = {corner_, corner_ + next, corner_ + next + 1};
   double weight[3], sum = 0;
   for (int k = 0; k < 3; ++k) {
-    weight[k] = std::fmax(dot(u, cross(corner_[(k + 1) % 3].s, corner_[(k + 2) % 3].s)), 0.0);
+    weight[k] = std::fmax(dot(u, cross(at[(k + 1) % 3]->s, at[(k + 2) % 3]->s)), 0.0);
     sum += weight[k];
   }
   if (!(sum > 0 && dot(n_, u) >= size * (1 - tolerance))) return false;
   a1 = a2 = {};
   for (int k = 0; k < 3; ++k) {
-    a1 = a1 + corner_[k].a1 * (weight[k] / sum);
-    a2 = a2 + corner_[k].a2 * (weight[k] / sum);
+    a1 = a1 + at[k]->a1 * (weight[k] / sum);
+    a2 = a2 + at[k]->a2 * (weight[k] / sum);
   }
   return true;
 }

@@ -27,7 +27,10 @@ class ProvenCap {
   bool find(const DepthPoint<double>* const* corner, const Vector3& n, double most, double tolerance,
             DepthOracle<double>& oracle);
 
-  /// The same of a facet whose corners are on one or two curved pieces: see bent_cap.cc.
+  /// Of a face of D that is known: four corners, in order around n, of length 1.
+  bool take_face(const DepthPoint<double>* corner, const Vector3& n, const DepthOracle<double>& oracle);
+
+  /// The same as find() of a facet whose corners are on one or two curved pieces: see bent_cap.cc.
   bool find_bent(const DepthPoint<double>* const* corner, const Vector3& n, double most, double tolerance,
                  DepthOracle<double>& oracle);
 
@@ -56,7 +59,8 @@ class ProvenCap {
   bool measure(double size, double error) noexcept;
   bool measure_bent(const Bent& bent, double size, double error) noexcept;
 
-  DepthPoint<double> corner_[3];
+  DepthPoint<double> corner_[4];
+  int count_ = 3;  // of the corners of a face
   Vector3 n_;
   double height_ = 0, cosine_ = 1;  // of T, rounded up
   double share_ = 0;                // of a bent face: of corner_[1]; that of corner_[0] is the rest

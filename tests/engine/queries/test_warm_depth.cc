@@ -8,6 +8,7 @@
 
 #include "engine/queries/body_depth.h"
 #include "raygauge/queries/object_distance.h"
+#include "raygauge/sets/point_set.h"
 #include "tests/engine/queries/depth_cases.h"
 
 namespace raygauge::test_warm_depth {
@@ -166,12 +167,16 @@ TEST(WarmDepth, GoesOnFromThePolytopeOfBefore) {
   EXPECT_LE(most, kMostCorners);
 }
 
-// The rim of a cylinder rests on a box: its points are those that the box's faces see.
+// The rim of a cylinder rests on a box: its points are those that the box's faces see. The box is given by
+// its corners: that of a Box needs no polytope, not even at first.
 TEST(WarmDepth, OfACylinderThatTiltsOnABoxIsProvenByThePolytopeOfBefore) {
-  const Box floor(V(-2, -2, -1), V(2, 2, 0));
+  const Box box(V(-2, -2, -1), V(2, 2, 0));
+  Eigen::MatrixXd corners(3, 8);
+  for (int i = 0; i < 8; ++i) corners.col(i) = V(i & 1 ? 2 : -2, i & 2 ? 2 : -2, i & 4 ? 0 : -1);
+  const PointSet floor(corners);
   const Cylinder cylinder(V(0, 0, -0.5), V(0, 0, 0.5), 0.5);
   const Pose leaning = step(V(3, 2, 1), 0.7, V(0.1, 0.2, 0.68));
-  ObjectDistanceSolver solver;
+  ObjectDistanceSolver solver, fresh;
   for (const bool swapped : {false, true}) {
     WarmStart warm;
     Pose pose = leaning;
@@ -185,6 +190,10 @@ TEST(WarmDepth, OfACylinderThatTiltsOnABoxIsProvenByThePolytopeOfBefore) {
       const ObjectDepth& depth = solve();
       EXPECT_GT(depth.lower, 0);
       EXPECT_LE(depth.iterations, 1);
+      const ObjectDepth direct = fresh.solve({box}, {cylinder, pose}, euclidean(), kWanted).depth;
+      EXPECT_EQ(direct.iterations, 1);
+      EXPECT_GE(direct.upper, depth.lower);
+      EXPECT_LE(direct.lower, depth.upper);
     }
   }
 }

@@ -124,7 +124,39 @@ TEST(ProvenCap, its_points_of_contact_are_where_the_normal_meets_the_face) {
   EXPECT_FALSE(cap.contact({0.1, 0, 1}, 1e-6, a1, a2));
 }
 
-// From corners that directions near the normal of the centres have.
+TEST(ProvenCap, of_four_corners_of_a_face_no_direction_is_lower_than_it_says) {
+  Random random(4);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const Vector3 none[3] = {};
+  const Corners oracle(none);
+  int found = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vector3 n = direction(random), e = any_orthogonal(n), f = e * 0.3 + cross(n, e);
+    const Vector3 foot = n * std::exp2(4 * uniform(random)) + e * uniform(random) + f * uniform(random);
+    DepthPoint<double> corner[4];
+    for (int k = 0; k < 4; ++k) {
+      corner[k].s = foot + e * (k == 0 || k == 3 ? 0.6 : -0.6) + f * (k < 2 ? 0.5 : -0.5);
+      corner[k].a1 = corner[k].s;
+    }
+    ProvenCap cap;
+    if (!cap.take_face(corner, n, oracle)) continue;
+    ++found;
+    Vector3 a1, a2;
+    ASSERT_TRUE(cap.contact(n, 1e-6, a1, a2));
+    EXPECT_NEAR(length(a1 - n * cap.height()), 0, 1e-12 * cap.height());
+    for (int k = 0; k < 200; ++k) {
+      const Vector3 u = n + direction(random) * uniform(random) * 2.0, unit = u * (1 / length(u));
+      double height = 0;
+      for (const DepthPoint<double>& each : corner) height = std::max(height, dot(unit, each.s));
+      if (cap.holds(unit)) {
+        EXPECT_GE(height, cap.height());
+      }
+    }
+  }
+  EXPECT_GT(found, 50);
+}
+
+// From corners that directions near the normal of the centres have; of a cone near one of its side.
 TEST(ProvenCap, no_direction_about_a_bent_face_is_lower_than_it_says) {
   Random random(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
@@ -134,23 +166,29 @@ TEST(ProvenCap, no_direction_about_a_bent_face_is_lower_than_it_says) {
   const Capsule capsule(Eigen::Vector3d(-up), up, 0.3);
   const Box box(Eigen::Vector3d(-half), half);
   const ConvexSet* const others[] = {&ellipsoid, &cylinder, &capsule, &box};
-  int found = 0;
-  for (int i = 0; i < 10000; ++i) {
+  const TruncatedCone cone(Eigen::Vector3d(-up), 0.6, up, 0.0);
+  int found = 0, of_cones = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const bool is_cone = i % 8 >= 4;
     const Vector3 axis = direction(random), way = direction(random) * 0.3;
     const Eigen::Matrix3d R =
         Eigen::AngleAxisd(3 * uniform(random), Eigen::Vector3d(axis.x, axis.y, axis.z)).toRotationMatrix();
     const Pose pose(R, Eigen::Vector3d(way.x, way.y, way.z));
     SpatialPair pair;
-    ASSERT_TRUE(pair.bind(ellipsoid, *others[i % 4], InstructionSet::automatic));
+    ASSERT_TRUE(pair.bind(is_cone ? static_cast<const ConvexSet&>(cone) : ellipsoid, *others[i % 4],
+                          InstructionSet::automatic));
     ASSERT_TRUE(pair.place(PoseNumbers(), PoseNumbers(&pose)));
     SpatialOracle oracle(pair);
-    const Vector3 n = direction(random);
+    const double turn = 3.2 * uniform(random), along = 0.4472, across = 0.8944;  // of the cone's side
+    const Vector3 n =
+        is_cone ? Vector3{across * std::cos(turn), across * std::sin(turn), along} : direction(random);
     DepthPoint<double> corner[3];
     const DepthPoint<double>* pointer[3] = {corner, corner + 1, corner + 2};
     for (DepthPoint<double>& each : corner) oracle.support(n + direction(random) * 0.05, each);
     ProvenCap cap;
     if (!share_a_bend(pointer, corner[0]) || !cap.find_bent(pointer, n, 1e9, 1e-6, oracle)) continue;
     ++found;
+    of_cones += int{is_cone};
     DepthPoint<double> point;
     EXPECT_GE(oracle.support(cap.normal(), point), cap.height());
     Vector3 a1, a2;
@@ -165,6 +203,7 @@ TEST(ProvenCap, no_direction_about_a_bent_face_is_lower_than_it_says) {
     }
   }
   EXPECT_GT(found, 100);
+  EXPECT_GT(of_cones, 100);
 }
 
 TEST(ProvenCap, corners_share_a_face_if_they_are_on_three_pieces) {
