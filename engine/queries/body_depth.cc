@@ -324,6 +324,10 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
   const bool were_apart = has_balls() && start.pair != nullptr && start.pair->count > 0;  // most likely still
   if (were_apart && solve_apart(tolerance, start.pair, answer)) return;
   if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
+  if (start.is_guess) {
+    answer.parted = true;
+    return;
+  }
   // It leaves no polytope to go on from, which takes half as long.
   if (!start.is_kept && leave_polytopes(tolerance, answer)) return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);

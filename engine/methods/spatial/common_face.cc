@@ -43,8 +43,9 @@ void CommonFace::project(Side& side, const Vector3& outward, double noise) {
   side.anchor = at(0);
   side.length = 0;
   if (corners.size() == 2) {
-    side.length = raygauge::length(at(1) - at(0));
-    side.direction = unit(at(1) - at(0));
+    const Vector3 way = at(1) - at(0);
+    side.length = raygauge::length(way);
+    side.direction = way * (1 / side.length);
     side.normal = unit(outward - side.direction * dot(outward, side.direction));
   } else if (corners.size() > 2) {
     const Vector3 area = area_of(side.points, side.polygon);
