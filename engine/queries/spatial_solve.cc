@@ -33,10 +33,11 @@ bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
 // Whether the contact is found by Newton steps on pieces.
 bool has_pieces(const SpatialPair& pair) { return pair.is_curved() && pair.dimension() == 3; }
 
-// Newton steps from the normal of before, with the pieces that it was on. False where they lead nowhere.
-bool go_on_from_pieces(SpatialPair& pair, double tolerance, const SpatialStart& start, const PairStart* warm,
+// Newton steps from the normal of before, with the pieces that it was on. False where they lead nowhere: then
+// nothing of that start is used.
+bool go_on_from_pieces(SpatialPair& pair, double tolerance, const PairStart* warm, SpatialStart& start,
                        SpatialAnswer& answer) {
-  constexpr double kFar = 1e-3;  // of the upper bound: gaps that precise steps are not asked to close
+  constexpr double kPreciseGap = 64;  // of error(): a gap that double-double steps close
   if (warm == nullptr || warm->dimension != 3 || warm->count <= 0 || !start.has_normal) return false;
   answer.begin_steps();
   answer.hint = start.normal * (1 / length(start.normal));
@@ -46,12 +47,14 @@ bool go_on_from_pieces(SpatialPair& pair, double tolerance, const SpatialStart& 
     SpatialPoint& piece = pieces.point[i];
     piece.index_1 = warm->point_A[static_cast<std::size_t>(i)];
     piece.index_2 = warm->point_Q[static_cast<std::size_t>(i)];
-    pair.support_again(pair.corner_of(answer.hint, piece), piece);
+    pair.find_named(answer.hint, piece);
     pieces.weight[i] = 1.0 / count;
   }
   pieces.count = count;
   contact_distance(pair, tolerance, answer);
-  return answer.end != SpatialEnd::open || answer.bounds.gap() <= kFar * answer.bounds.upper();
+  const bool is_near = answer.end != SpatialEnd::open || answer.bounds.gap() <= kPreciseGap * pair.error();
+  start.has_normal = is_near;
+  return is_near;
 }
 
 // Whether a vertex of the start is beyond the plane that was between the bodies.
@@ -179,7 +182,7 @@ bool SpatialSolve::find_distance(double tolerance, const PairStart* warm) {
   if (closed_form_distance(pair_, tolerance, record_.answer)) return true;
   if (record_.answer.combination.count > 0 && settle(tolerance)) return true;
   const bool newton = has_pieces(pair_);
-  if (newton && go_on_from_pieces(pair_, tolerance, record_.start, warm, record_.answer) && settle(tolerance))
+  if (newton && go_on_from_pieces(pair_, tolerance, warm, record_.start, record_.answer) && settle(tolerance))
     return true;
   if (newton) {
     spatial_distance(pair_, tolerance, record_.start, {near_curved_, 0}, record_.answer);
