@@ -43,18 +43,21 @@ bool go_on_from_pieces(SpatialPair& pair, double tolerance, const PairStart* war
   answer.hint = start.normal * (1 / length(start.normal));
   SpatialCombination& pieces = answer.combination;
   const int count = std::min(warm->count, 4);
+  double height = -__builtin_inf();
   for (int i = 0; i < count; ++i) {
     SpatialPoint& piece = pieces.point[i];
     piece.index_1 = warm->point_A[static_cast<std::size_t>(i)];
     piece.index_2 = warm->point_Q[static_cast<std::size_t>(i)];
     pair.find_named(answer.hint, piece);
     pieces.weight[i] = 1.0 / count;
+    height = std::max(height, dot(answer.hint, piece.s));
   }
   pieces.count = count;
+  start.has_normal = false;
+  if (height + pair.radius() > tuned::kNearCurved * pair.size()) return false;  // it is of another place
   contact_distance(pair, tolerance, answer);
-  const bool is_near = answer.end != SpatialEnd::open || answer.bounds.gap() <= kPreciseGap * pair.error();
-  start.has_normal = is_near;
-  return is_near;
+  start.has_normal = answer.end != SpatialEnd::open || answer.bounds.gap() <= kPreciseGap * pair.error();
+  return start.has_normal;
 }
 
 // Whether a vertex of the start is beyond the plane that was between the bodies.
