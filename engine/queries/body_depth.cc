@@ -76,9 +76,12 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
     extent_[i] = pair_.shape(i).extent;
   }
   if (!has_balls()) return true;
-  for (int i = 0; i < 2; ++i) core_[i] = core_of(pair_.shape(i));
-  pair_.bind(core_[0], core_[1], pair_.dimension(), isa);
-  cores_.bind(core_[0], core_[1], pair_.dimension(), isa);
+  const SpatialShape* core[] = {&pair_.shape(0), &pair_.shape(1)};
+  for (int i = 0; i < 2; ++i) {
+    if (radius_[i] > 0) core[i] = &(core_[i] = core_of(*core[i]));
+  }
+  pair_.bind(*core[0], *core[1], pair_.dimension(), isa);
+  cores_.bind(*core[0], *core[1], pair_.dimension(), isa);
   cores_.expect_overlap();
   return true;
 }
@@ -87,7 +90,7 @@ bool BodyDepth::bind(const ConvexSet& first, const ConvexSet& second, Instructio
 bool BodyDepth::place(const PoseNumbers& first, const PoseNumbers& second) {
   ball_lower_ = ball_upper_ = {};
   const double defect[2] = {first.defect, second.defect};
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2 && has_balls(); ++i) {
     const DoubleDouble change = two_product(radius_[i], defect[i]);
     ball_lower_ = ball_lower_ + radius_[i] - change;
     ball_upper_ = ball_upper_ + radius_[i] + change;
@@ -326,6 +329,10 @@ void BodyDepth::solve(double tolerance, const DepthStart& start, const Stopwatch
   const bool were_apart = has_balls() && start.pair != nullptr && start.pair->count > 0;  // most likely still
   if (were_apart && solve_apart(tolerance, start.pair, answer)) return;
   if (leave_boxes(tolerance, answer) || leave_hull(tolerance, answer)) return;
+  if (start.is_guess) {
+    answer.parted = true;
+    return;
+  }
   // It leaves no polytope to go on from, which takes half as long; but beside a frustum not so long.
   if ((!start.is_kept || has_frustum(pair_)) && leave_polytopes(tolerance, answer)) return;
   const bool may_be_apart = has_balls() && !meet_deep(pair_);

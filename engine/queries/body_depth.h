@@ -23,7 +23,7 @@ struct BodyDepthAnswer {
   Vector3 point_1, point_2;  ///< of the bodies: point_2 - point_1 is depth times the normal, to the gap
   std::int64_t support_queries = 0;
   int iterations = 0;
-  bool parted = false;  ///< proven apart by the normal of before; nothing else is said
+  bool parted = false;  ///< proven apart by the normal of before, or a guess has failed; nothing is said then
 };
 
 /// Rounded outward.
@@ -34,7 +34,8 @@ inline double up(const DoubleDouble& x) { return x.rounded() + std::fabs(x.high)
 struct DepthStart {
   const PairStart* pair = nullptr;
   const DepthMemory* polytope = nullptr;
-  bool is_kept = false;  ///< what is found will be asked of the next solve, too
+  bool is_guess = false;  ///< the bodies may be apart: what takes long is not begun
+  bool is_kept = false;   ///< what is found will be asked of the next solve, too
 };
 
 /// The depth of two bodies by fixed-size code. Of both the cores and the radius r of the sum of their balls:

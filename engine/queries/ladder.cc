@@ -273,10 +273,20 @@ bool Ladder::Solve::by_passes(Ladder& ladder, Ask& ask) {
   return true;
 }
 
+// Bodies that have come to overlap since the solve before have a depth.
 bool Ladder::Solve::body_distance(Ladder& ladder, Ask& ask) {
-  if (ladder.bodies_.distance(ask.first, ask.second, *ask.metric, ladder.options_, ask.object_effects,
-                              ask.warm, ladder.answer_)) {
-    return true;
+  bool likely_overlap = false;
+  const auto is_known = [&](bool* overlap) {
+    return ladder.bodies_.distance(ask.first, ask.second, *ask.metric, ladder.options_, ask.object_effects,
+                                   ask.warm, ladder.answer_, overlap);
+  };
+  const bool wants_depth = ladder.has_depth_start_ && Due::unknown_depth(ladder, ask);
+  if (is_known(wants_depth ? &likely_overlap : nullptr)) return true;
+  if (likely_overlap) {
+    ladder.guesses_overlap_ = true;
+    const bool overlaps = depth(ladder, ask);
+    ladder.guesses_overlap_ = false;
+    if (overlaps || is_known(nullptr)) return true;
   }
   ask.is_distance_open = ladder.bodies_.was_asked();
   ask.proven = ladder.bodies_.proven();

@@ -130,6 +130,7 @@ class Ladder {
   DepthQuery depth_;
   PairStart depth_start_;
   bool has_depth_start_ = false;
+  bool guesses_overlap_ = false;  // for the next depth
   PoseGradients pose_gradients_;
 
   SupportPairs pairs_;

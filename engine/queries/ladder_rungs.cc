@@ -253,6 +253,7 @@ void Ladder::find_depth(const Ask& ask) {
     start = {&depth_start_, &ask.warm->polytope};
   }
   start.is_kept = ask.warm != nullptr;
+  start.is_guess = guesses_overlap_;
   depth_.solve(ask.first, ask.second, *ask.metric, options_, stop_, start, answer_.distance.seconds,
                answer_.depth);
   if (ask.warm != nullptr && answer_.depth.evaluations > 0) depth_.record(answer_.depth, *ask.warm);

@@ -40,7 +40,7 @@ void SpatialQuery::set_counters(DistanceResult& result) const {
 
 bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& metric,
                             const DistanceOptions& options, ObjectEffects effects, WarmStart* warm,
-                            ObjectDistance& result) {
+                            ObjectDistance& result, bool* likely_overlap) {
   const double radius = radius_of_ball(metric);
   const bool measures = radius > 0 && metric.dimension() == A1.dimension();
   if (!measures || !bind(A1, A2, options) || !place(A1, A2)) {
@@ -48,7 +48,7 @@ bool SpatialQuery::distance(const Posed& A1, const Posed& A2, const ConvexSet& m
     proven_ = {};
     return false;
   }
-  const bool found = solve_.distance(options.tolerance, warm);
+  const bool found = solve_.distance(options.tolerance, warm, likely_overlap);
   const SpatialAnswer& answer = solve_.answer();
   const int n = solve_.dimension();
   DistanceResult& distance = result.distance;

@@ -26,9 +26,11 @@ inline bool is_open_to_bodies(const DistanceOptions& options) noexcept {
 /// nevertheless is in proven().
 class SpatialQuery {
  public:
-  /// The Euclidean distance, in units of the radius of the ball `metric`.
+  /// The Euclidean distance, in units of the radius of the ball `metric`. `likely_overlap`: as in
+  /// SpatialSolve.
   bool distance(const Posed& A1, const Posed& A2, const ConvexSet& metric, const DistanceOptions& options,
-                ObjectEffects effects, WarmStart* warm, ObjectDistance& result);
+                ObjectEffects effects, WarmStart* warm, ObjectDistance& result,
+                bool* likely_overlap = nullptr);
 
   /// The growth distance of A about its centre and Q about its own, or about the origin of the world.
   bool growth(const Posed& A, const Posed& Q, bool about_origin, const DistanceOptions& options,

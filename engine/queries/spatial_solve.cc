@@ -30,6 +30,55 @@ bool is_smooth_needle(const SpatialPair& pair, std::ptrdiff_t points) {
          pair.inner_radius() < kThin * (pair.shape(0).extent + pair.shape(1).extent);
 }
 
+// Whether the contact is found by Newton steps on pieces.
+bool has_pieces(const SpatialPair& pair) { return pair.is_curved() && pair.dimension() == 3; }
+
+// Newton steps from the normal of before, with the pieces that it was on. False where they lead nowhere: then
+// nothing of that start is used.
+bool go_on_from_pieces(SpatialPair& pair, double tolerance, const PairStart* warm, SpatialStart& start,
+                       SpatialAnswer& answer) {
+  constexpr double kPreciseGap = 64;  // of error(): a gap that double-double steps close
+  if (warm == nullptr || warm->dimension != 3 || warm->count <= 0 || !start.has_normal) return false;
+  answer.begin_steps();
+  answer.hint = start.normal * (1 / length(start.normal));
+  SpatialCombination& pieces = answer.combination;
+  const int count = std::min(warm->count, 4);
+  double height = -__builtin_inf();
+  for (int i = 0; i < count; ++i) {
+    SpatialPoint& piece = pieces.point[i];
+    piece.index_1 = warm->point_A[static_cast<std::size_t>(i)];
+    piece.index_2 = warm->point_Q[static_cast<std::size_t>(i)];
+    pair.find_named(answer.hint, piece);
+    pieces.weight[i] = 1.0 / count;
+    height = std::max(height, dot(answer.hint, piece.s));
+  }
+  pieces.count = count;
+  start.has_normal = false;
+  if (height + pair.radius() > tuned::kNearCurved * pair.size()) return false;  // it is of another place
+  contact_distance(pair, tolerance, answer);
+  start.has_normal = answer.end != SpatialEnd::open || answer.bounds.gap() <= kPreciseGap * pair.error();
+  return start.has_normal;
+}
+
+// Whether a vertex of the start is beyond the plane that was between the bodies.
+bool is_beyond_plane(const SpatialPair& pair, const SpatialStart& start, const PairStart& warm) {
+  const double* normal = recorded_normal(warm, pair.dimension());
+  if (normal == nullptr) return false;
+  const Vector3 u = -pair.frame().to_body(normal);
+  const double room = (pair.radius() - pair.error()) * length(u);
+  SpatialPoint point;
+  for (int i = 0; i < start.count; ++i) {
+    if (pair.vertex(start.index_1[i], start.index_2[i], point) && dot(u, point.s) + room > 0) return true;
+  }
+  return false;
+}
+
+// Bodies whose depth is that of boxes, or mostly follows from the distance of their cores.
+bool has_quick_depth(const SpatialPair& pair) {
+  const auto is_box = [&](int i) { return pair.shape(i).kind == SpatialShape::Kind::box; };
+  return pair.radius() > 0 || (is_box(0) && is_box(1));
+}
+
 }  // namespace
 
 bool SpatialSolve::bind(const ConvexSet& first, const ConvexSet& second, InstructionSet isa) {
@@ -68,7 +117,7 @@ void SpatialSolve::record(PairStart* warm) const {
   warm->dimension = pair_.dimension();
   warm->normal = {0, 0, 0};
   warm->count = 0;
-  if (!pair_.has_vertices()) return;
+  if (!pair_.has_vertices() && !has_pieces(pair_)) return;
   warm->count = record_.answer.combination.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(warm->count); ++i) {
     warm->point_A[i] = record_.answer.combination.point[i].index_1;
@@ -132,10 +181,12 @@ bool SpatialSolve::settle(double tolerance) {
 
 // Balls and capsules have formulas, which name where to go on in double-double arithmetic. Curved bodies that
 // are near are left to Newton steps; the long way is for what these do not close.
-bool SpatialSolve::find_distance(double tolerance) {
+bool SpatialSolve::find_distance(double tolerance, const PairStart* warm) {
   if (closed_form_distance(pair_, tolerance, record_.answer)) return true;
   if (record_.answer.combination.count > 0 && settle(tolerance)) return true;
-  const bool newton = pair_.is_curved() && pair_.dimension() == 3;
+  const bool newton = has_pieces(pair_);
+  if (newton && go_on_from_pieces(pair_, tolerance, warm, record_.start, record_.answer) && settle(tolerance))
+    return true;
   if (newton) {
     spatial_distance(pair_, tolerance, record_.start, {near_curved_, 0}, record_.answer);
     if (record_.answer.end == SpatialEnd::open) contact_distance(pair_, tolerance, record_.answer);
@@ -165,10 +216,16 @@ inline void SpatialSolve::turn_normal() {
   pair_.frame().normal_to_world(normal, answer.bounds.lower() < kClose * pair_.size(), record_.normal);
 }
 
-bool SpatialSolve::distance(double tolerance, PairStart* warm) {
+bool SpatialSolve::distance(double tolerance, PairStart* warm, bool* likely_overlap) {
   record_.begin();
-  if (!begin_with_vertices(warm)) begin_with_normal(warm);
-  if (!find_distance(tolerance) && !find_overlap()) {
+  const bool has_vertices = begin_with_vertices(warm);
+  if (!has_vertices) begin_with_normal(warm);
+  if (likely_overlap != nullptr && has_vertices && has_quick_depth(pair_) &&
+      is_beyond_plane(pair_, record_.start, *warm)) {
+    *likely_overlap = true;
+    return false;
+  }
+  if (!find_distance(tolerance, warm) && !find_overlap()) {
     if (record_.answer.bounds.lower() > 0) turn_normal();
     return false;
   }

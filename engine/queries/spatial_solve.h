@@ -33,7 +33,9 @@ class SpatialSolve {
   /// The Euclidean distance. Where true, answer().end is `closed`, and closest_points() hold, or
   /// `intersecting`. Bodies with interior points in common are `intersecting`, down to rounding errors of
   /// double-double arithmetic; so are those in a common plane (make_prism_of_flat).
-  bool distance(double tolerance, PairStart* warm);
+  /// Where `likely_overlap` is given, the plane of before no longer separates the bodies and a depth takes
+  /// little time, that is set, and nothing is found.
+  bool distance(double tolerance, PairStart* warm, bool* likely_overlap = nullptr);
 
   /// The growth distance: the least factor by which both bodies have to be scaled, each about its centre, or
   /// the first one about the origin of the world, to touch. Ends early where it is proven to be on one side
@@ -77,7 +79,7 @@ class SpatialSolve {
   static std::ptrdiff_t points_of(const SpatialShape& shape) noexcept {
     return shape.kind == SpatialShape::Kind::points ? shape.size : 0;
   }
-  bool find_distance(double tolerance);
+  bool find_distance(double tolerance, const PairStart* warm);
   void step_on_cores(double tolerance);
   bool settle(double tolerance);
   bool find_overlap();

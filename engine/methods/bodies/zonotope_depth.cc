@@ -26,7 +26,7 @@ RAYGAUGE_VECTORS void ZonotopeDepth::measure(const ZonotopeDepth& of, double siz
       const Vector3 a{lanes.first[0][i], lanes.first[1][i], lanes.first[2][i]},
           b{lanes.second[0][i], lanes.second[1][i], lanes.second[2][i]};
       const Vector3 across = cross(a, b);
-      const double of_a = dot(a, a), of_b = dot(b, b), longer = of_a > of_b ? of_a : of_b;
+      const double of_a = dot(a, a), of_b = dot(b, b);
       const double length = std::sqrt(dot(across, across)), product = std::sqrt(of_a * of_b);
       const bool is_flat = !(length > kParallel * product);
       const double inverse = 1 / length, scale = is_flat ? 0.0 : inverse;
@@ -34,13 +34,12 @@ RAYGAUGE_VECTORS void ZonotopeDepth::measure(const ZonotopeDepth& of, double siz
       for (const Vector3& g : half) sum += std::fabs(dot(across, g));
       const double height = (sum - std::fabs(dot(across, c))) * scale;
       const double lower = height - (kTurned * product * scale + kHeight) * size;
-      const double lost = length / std::sqrt(longer);
       lanes.n[0][i] = across.x * scale;
       lanes.n[1][i] = across.y * scale;
       lanes.n[2][i] = across.z * scale;
       lanes.height[i] = is_flat ? std::numeric_limits<double>::infinity() : height;
       lanes.lower[i] = is_flat ? std::numeric_limits<double>::infinity() : lower;
-      lanes.lost[i] = is_flat && longer > 0 ? lost : 0.0;
+      lanes.area[i] = is_flat ? length : 0.0;
     }
   }
 }
@@ -48,6 +47,15 @@ RAYGAUGE_VECTORS void ZonotopeDepth::measure(const ZonotopeDepth& of, double siz
 Vector3 ZonotopeDepth::outward(int lane) const noexcept {
   const Vector3 n{lanes_.n[0][lane], lanes_.n[1][lane], lanes_.n[2][lane]};
   return dot(n, center_) > 0 ? -n : n;
+}
+
+double ZonotopeDepth::longer_of(int lane) const noexcept {
+  double square[2] = {0, 0};
+  for (int k = 0; k < 3; ++k) {
+    square[0] += lanes_.first[k][lane] * lanes_.first[k][lane];
+    square[1] += lanes_.second[k][lane] * lanes_.second[k][lane];
+  }
+  return std::sqrt(std::max(square[0], square[1]));
 }
 
 bool ZonotopeDepth::solve(double size) noexcept {
@@ -66,13 +74,13 @@ bool ZonotopeDepth::solve(double size) noexcept {
   for (int k = count_; k < kMost; ++k) half_[k] = {};
   lanes_count_ = pairs;
   measure(*this, size, lanes_);
-  double lost = 0;
+  double lost = 0;  // by how much D changes where pairs are parallel but for rounding
   lower_ = upper_ = std::numeric_limits<double>::infinity();
   for (int i = 0; i < pairs; ++i) {
     lower_ = std::min(lower_, lanes_.lower[i]);
     nearest_ = lanes_.height[i] < upper_ ? i : nearest_;
     upper_ = std::min(upper_, lanes_.height[i]);
-    lost += lanes_.lost[i];
+    lost += lanes_.area[i] <= 0 ? 0.0 : lanes_.area[i] / longer_of(i);
   }
   lower_ -= 2 * lost * (1 + 0x1p-40);
   if (!(lower_ > 0 && lower_ < std::numeric_limits<double>::max())) return false;

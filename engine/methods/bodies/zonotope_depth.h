@@ -52,12 +52,14 @@ class ZonotopeDepth : public FacetDepth {
     using Row = double[kCount];
     Row first[3] = {}, second[3] = {};  ///< zero behind the last pair
 
-    /// Out; `lost`: by how much D changes where both are parallel but for rounding.
-    Row n[3], height, lower, lost;
+    /// Out; `area`: |g_i × g_j| where both are parallel but for rounding, else 0.
+    Row n[3], height, lower, area;
   };
 
   static void measure(const ZonotopeDepth& of, double size, Lanes& lanes) noexcept;
   Vector3 outward(int lane) const noexcept;
+  /// The length of the longer of the pair.
+  double longer_of(int lane) const noexcept;
 
   Vector3 center_, half_[kMost];
   int count_ = 0, first_count_ = 0, lanes_count_ = 0, nearest_ = 0;

@@ -24,8 +24,6 @@ Vector3 area_of(const std::vector<Vector3>& points, const FlatPolygon& polygon) 
 
 void CommonFace::begin(const Vector3& normal) {
   normal_ = normal;
-  x_ = any_orthogonal(normal);
-  y_ = cross(normal, x_);
   for (Side& side : side_) side.points.clear();
   pairs_.clear();
 }
@@ -43,12 +41,14 @@ void CommonFace::project(Side& side, const Vector3& outward, double noise) {
   side.anchor = at(0);
   side.length = 0;
   if (corners.size() == 2) {
-    side.length = raygauge::length(at(1) - at(0));
-    side.direction = unit(at(1) - at(0));
+    const Vector3 way = at(1) - at(0);
+    side.length = raygauge::length(way);
+    side.direction = way * (1 / side.length);
     side.normal = unit(outward - side.direction * dot(outward, side.direction));
   } else if (corners.size() > 2) {
     const Vector3 area = area_of(side.points, side.polygon);
-    side.normal = unit(area) * (dot(area, outward) < 0 ? -1.0 : 1.0);
+    side.area = raygauge::length(area);
+    side.normal = area * (1 / side.area) * (dot(area, outward) < 0 ? -1.0 : 1.0);
     side.anchor = {};
     for (const FlatPoint& corner : corners)
       side.anchor = side.anchor + side.points[static_cast<std::size_t>(corner.index)];
@@ -72,14 +72,25 @@ Vector3 CommonFace::lift(const Side& side, const FlatPoint& p) const {
   return flat + normal_ * (dot(side.normal, side.anchor - flat) / dot(side.normal, normal_));
 }
 
+// The face of the least extent is cut by the other one; of polygons that with more corners, and of
+// quadrangles, whose cuts are never too many, the smaller one, which is mostly inside.
+bool CommonFace::is_cut(int i) const {
+  const Side &one = side_[i], &two = side_[1 - i];
+  if (extent(i) != extent(1 - i)) return extent(i) < extent(1 - i);
+  const int count = one.polygon.count(), other = two.polygon.count();
+  if (count != other || count != 4) return count >= other;
+  return one.area <= two.area;
+}
+
 bool CommonFace::find(double noise, double beside, double crossing) {
   pairs_.clear();
   if (side_[0].points.empty() || side_[1].points.empty()) return false;
+  x_ = any_orthogonal(normal_);
+  y_ = cross(normal_, x_);
   origin_ = side_[0].points[0];
   project(side_[0], normal_, noise);
   project(side_[1], -normal_, noise);
-  const bool more = extent(0) == extent(1) && side_[0].polygon.count() < side_[1].polygon.count();
-  const int small = extent(0) <= extent(1) && !more ? 0 : 1;
+  const int small = is_cut(0) ? 0 : 1;
   const FlatPolygon& other = side_[1 - small].polygon;
   const bool segments = extent(0) == 1 && extent(1) == 1;
   for (const double offset : {noise, beside}) {

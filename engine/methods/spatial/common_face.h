@@ -77,10 +77,11 @@ class CommonFace {
     std::vector<Vector3> points;
     FlatPolygon polygon;
     Vector3 normal, anchor, direction;
-    double length = 0, least = 0, slope = 1;
+    double length = 0, area = 0, least = 0, slope = 1;
   };
 
   void project(Side& side, const Vector3& outward, double noise);
+  bool is_cut(int i) const;
   double sine_of_segments() const;
   Vector3 lift(const Side& side, const FlatPoint& p) const;
 

@@ -40,6 +40,13 @@ class CorePair {
     return true;
   }
 
+  /// Of the vertices and rims that `point`'s indices name, the latter's points those for u; of a core that
+  /// has none by that index, the highest point.
+  void find_named(const Vector& u, Point& point) {
+    look_again(u, u, {.index_1 = point.index_1, .index_2 = point.index_2}, point);
+    frame_.subtract(point);
+  }
+
   /// Whether a point of one core is inside the other one for certain. `point` is a pair of their points, or a
   /// combination of such pairs, with the outer normal u, its indices those of any of them. The point of the
   /// other core is x_1 - R⁻¹s in the frame of the first one, x_2 + R⁻¹s in that of the second, and R⁻¹ is Rᵀ

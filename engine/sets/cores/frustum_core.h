@@ -236,11 +236,19 @@ void FrustumCore::face(const BasicVector3<Real>& v, double margin, InstructionSe
   const std::int32_t facing = along > 0 ? kTop : kBase;
   int corners = 0;
   if (std::fabs(along) > high(view.across.size) && radius_of(facing) > 0) {
-    const Vector3 radial = any_orthogonal(axis) * radius_of(facing), tangent = cross(axis, radial);
+    constexpr double kRounding = 0x1p-46;  // of the sums below, relative to their terms
+    const Vector3 radial = any_orthogonal(axis) * radius_of(facing), tangent = cross(axis, radial),
+                  w = rounded(v);
+    const double middle = dot(w, center_of(facing)), by_cosine = dot(w, radial), by_sine = dot(w, tangent);
+    const double swing = std::fabs(by_cosine) + std::fabs(by_sine);
+    const double noise = kRounding * length(w) * (length(center_of(facing)) + radius_of(facing));
+    const bool all = middle - swing > high(least) + noise;
     for (const Turn& turn : kTurns) {
+      const double height = middle + by_cosine * turn.cosine + by_sine * turn.sine;
+      if (!all && height < high(least) - noise) continue;
       const BasicVector3<Real> x =
           vector_of<Real>(center_of(facing)) + vector_of<Real>(radial * turn.cosine + tangent * turn.sine);
-      if (dot(v, x) < least) continue;
+      if (!all && dot(v, x) < least) continue;
       use(x);
       ++corners;
     }

@@ -27,6 +27,39 @@ std::int32_t PointsCore::highest_listed(const PreciseVector3& v, double noise) c
   return best;
 }
 
+// Four blocks at a time, whose highest points are compared first.
+RAYGAUGE_VECTORS PointsCore::HighBlock PointsCore::next_high_block(const Vector3& w, double floor,
+                                                                   std::ptrdiff_t block) const {
+  using Pack [[gnu::vector_size(kLanes * sizeof(double)), gnu::aligned(8), gnu::may_alias]] = double;
+  constexpr std::ptrdiff_t kTogether = 4;
+  const int n = shape.coordinates;
+  const double third = n == 3 ? w.z : 0.0;
+  const auto heights = [&](std::ptrdiff_t i) __attribute__((always_inline)) {
+    const auto* p = reinterpret_cast<const Pack*>(shape.blocks + i * n * kLanes);
+    return w.x * p[0] + w.y * p[1] + third * p[n == 3 ? 2 : 0];
+  };
+  for (; block < shape.block_count; block += kTogether) {
+    const std::ptrdiff_t end = std::min(block + kTogether, shape.block_count);
+    Pack top = heights(block);
+    for (std::ptrdiff_t i = block + 1; i < end; ++i) {
+      const Pack height = heights(i);
+      top = height > top ? height : top;
+    }
+    Pack other = __builtin_shufflevector(top, top, 4, 5, 6, 7, 0, 1, 2, 3);
+    top = other > top ? other : top;
+    other = __builtin_shufflevector(top, top, 2, 3, 0, 1, 6, 7, 4, 5);
+    top = other > top ? other : top;
+    if (!(top[0] >= floor) && !(top[1] >= floor)) continue;
+    for (std::ptrdiff_t i = block; i < end; ++i) {
+      const Pack height = heights(i);
+      unsigned lanes = 0;
+      for (int lane = 0; lane < kLanes; ++lane) lanes |= height[lane] >= floor ? 1U << lane : 0U;
+      if (lanes != 0) return {i, lanes};
+    }
+  }
+  return {};
+}
+
 RAYGAUGE_FUSED std::int32_t PointsCore::highest(const PreciseVector3& v, InstructionSet isa) const {
   constexpr double kHeightError = 0x1p-49;  // of three products in doubles, relative to |v|₁ max|x|
   const Vector3 w = rounded(v);

@@ -68,6 +68,15 @@ struct PointsCore {
   Matrix3 half_axes() const;
 
  private:
+  /// Points of a block, by bits from the lowest on.
+  struct HighBlock {
+    std::ptrdiff_t block = 0;
+    unsigned lanes = 0;
+  };
+  /// The first block from `block` on with points that are, in doubles, `floor` high or higher, and which they
+  /// are; none.
+  HighBlock next_high_block(const Vector3& w, double floor, std::ptrdiff_t block) const;
+
   std::int32_t highest(const Vector3& v, InstructionSet isa) const {
     if (shape.block_count == 1 && shape.coordinates == 3) return highest_of_block(v);
     const std::int32_t listed = shape.table != nullptr ? shape.table->highest(v) : -1;
@@ -120,17 +129,12 @@ void PointsCore::face(const BasicVector3<Real>& v, double margin, InstructionSet
     return;
   }
   const double noise = kHeightError * (std::fabs(w.x) + std::fabs(w.y) + std::fabs(w.z)) * shape.extent;
-  const double floor = high(least) - noise, third = shape.coordinates == 3 ? w.z : 0.0;
-  for (std::ptrdiff_t block = 0; block < shape.block_count; ++block) {
-    const double* p = shape.blocks + block * shape.coordinates * kLanes;
-    const double* z = shape.coordinates == 3 ? p + std::ptrdiff_t{2} * kLanes : p;
-    double value[kLanes], top = -__builtin_inf();
-    for (int lane = 0; lane < kLanes; ++lane)
-      value[lane] = w.x * p[lane] + w.y * p[kLanes + lane] + third * z[lane];
-    for (const double each : value) top = each > top ? each : top;
-    for (int lane = 0; top >= floor && lane < kLanes; ++lane) {
-      const std::ptrdiff_t i = block * kLanes + lane;
-      if (!(value[lane] >= floor) || i >= shape.size) continue;
+  const double floor = high(least) - noise;
+  for (HighBlock high = next_high_block(w, floor, 0); high.lanes != 0;
+       high = next_high_block(w, floor, high.block + 1)) {
+    for (; high.lanes != 0; high.lanes &= high.lanes - 1) {
+      const std::ptrdiff_t i = high.block * kLanes + std::countr_zero(high.lanes);
+      if (i >= shape.size) continue;
       const auto index = static_cast<std::int32_t>(i);
       if (!(view.height(index) < least)) use(view.point(index));
     }

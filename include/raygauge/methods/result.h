@@ -122,7 +122,7 @@ struct PairStart {
   std::vector<double> long_normal;        ///< ... and for n > 3
   int count = 0;                          ///< support points of the last solve that are recorded below
   std::array<std::int32_t, 4> point_A{};  ///< their indices in A ...
-  std::array<std::int32_t, 4> point_Q{};  ///< ... and in Q, for prepared sets of R^3
+  std::array<std::int32_t, 4> point_Q{};  ///< ... and in Q: of vertices, and of rims, in R^3
   bool overlap = false;                   ///< it has searched for a depth: the next solve does so first
 };
 

@@ -218,6 +218,18 @@ TEST(WarmDepth, FromAnyOtherPairIsProvenAllTheSame) {
   }
 }
 
+// The same points, each within the root of the tolerance.
+void expect_same(const ContactPatch& warm, const ContactPatch& cold, const std::string& names) {
+  EXPECT_EQ(warm.count, cold.count) << names;
+  EXPECT_LE(warm.lower, cold.upper) << names;
+  EXPECT_GE(warm.upper, cold.lower) << names;
+  for (const ContactPoint& p : warm.contacts()) {
+    double least = INFINITY;
+    for (const ContactPoint& q : cold.contacts()) least = std::min(least, length(p.point_1 - q.point_1));
+    EXPECT_LT(least, kRootOfTolerance) << names;
+  }
+}
+
 TEST(WarmDepth, GivesTheContactPatchThatAColdStartGives) {
   Random random(65);
   ContactPatchSolver solver, fresh;
@@ -232,13 +244,30 @@ TEST(WarmDepth, GivesTheContactPatchThatAColdStartGives) {
         const Pose two(far.rotation(), far.translation() + apart.normal * (apart.distance - gap));
         const ContactPatch& a = solver.solve({*A1, one}, {*A2, two}, 1e-3, &warm);
         const ContactPatch& b = fresh.solve({*A1, one}, {*A2, two}, 1e-3);
-        EXPECT_EQ(a.count, b.count) << names << ' ' << gap;
-        EXPECT_LE(a.lower, b.upper) << names;
-        EXPECT_GE(a.upper, b.lower) << names;
-        for (const ContactPoint& p : a.contacts()) {
-          double least = INFINITY;
-          for (const ContactPoint& q : b.contacts()) least = std::min(least, length(p.point_1 - q.point_1));
-          EXPECT_LT(least, kRootOfTolerance) << names << ' ' << gap;
+        expect_same(a, b, names + ' ' + std::to_string(gap));
+      }
+    }
+  }
+}
+
+// One start for all: it comes from another pair, or from another pose of the same one.
+TEST(WarmDepth, GivesThatContactPatchFromTheStartOfAnotherPairOrPose) {
+  Random random(70);
+  ObjectDistanceSolver distance;
+  ContactPatchSolver solver, fresh;
+  WarmStart warm;
+  for (const double gap : {2e-4, -2e-4, 3e-5, -3e-5}) {
+    for (const auto& [name_1, A1] : depth_bodies()) {
+      for (const auto& [name_2, A2] : depth_bodies()) {
+        const Pose one = random_pose(random, 0.2);
+        Pose far = random_pose(random, 3);
+        for (const double angle : {0.0, 0.1, 2.0}) {
+          far = step(V(1, -2, 0.5), angle, V(0.1, 0.2, 0)).after(far);
+          const DistanceResult apart = distance.solve({*A1, one}, {*A2, far}, euclidean()).distance;
+          const Pose two(far.rotation(), far.translation() + apart.normal * (apart.distance - gap));
+          expect_same(solver.solve({*A1, one}, {*A2, two}, 1e-3, &warm),
+                      fresh.solve({*A1, one}, {*A2, two}, 1e-3),
+                      name_1 + ' ' + name_2 + ' ' + std::to_string(gap));
         }
       }
     }
