@@ -21,8 +21,8 @@ namespace raygauge {
 /// Nguyen and Shpakovych 2024). With the slopes G of the contacts, D = diag(1, μ, μ), P the scaling of a
 /// contact and b the slope of |z_t|,
 ///
-///     δx = P⁻¹ρ - P⁻² δz,     δz = (1 + e bᵀ) (D Σ Gᵀ δy - lack),     (1 + Σ G D P⁻² (1 + e bᵀ) D Gᵀ) δy =
-///     ...:
+///     δx = P⁻¹ρ - P⁻² δz,     δz = (1 + e bᵀ) (D Σ Gᵀ δy - lack),
+///     (1 + Σ G D P⁻² (1 + e bᵀ) D Gᵀ) δy = Σ G D (P⁻¹ρ + P⁻² (1 + e bᵀ) lack):
 ///
 /// a system of the bodies' velocities as that of IslandNewton. Contacts that neither press nor part keep it
 /// from coming nearer than about 1e-5; what it leaves to do is Newton's.
