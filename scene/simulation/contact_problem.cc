@@ -66,12 +66,6 @@ bool leave_at_rest(const std::vector<ContactUnknown*>& contacts) {
   return any;
 }
 
-// What a residual cannot tell from 0: of impulses that have grown without end it is 0.
-double rounding_of(const FrictionIsland& island, const Eigen::VectorXd& r) {
-  const double size = island.size_of_q();
-  return size > 0 ? 0x1p-52 * r.norm() * island.bound_of_W() / size : 0.0;
-}
-
 std::vector<int> pressed_by(const Eigen::VectorXd& r, const std::vector<ContactUnknown*>& contacts) {
   constexpr double kSlight = 1e-6;
   std::set<int> bodies;
@@ -243,7 +237,8 @@ double ContactProblem::impulses(const std::vector<ContactUnknown*>& contacts, co
                                 bool roughly, Eigen::VectorXd& r) const {
   if (is_named(contacts)) {
     const double residual = solve_friction(island, friction_, r, roughly);
-    if (std::isfinite(residual) && r.allFinite()) return std::max(residual, rounding_of(island, r));
+    if (std::isfinite(residual) && r.allFinite())
+      return std::max(residual, island.rounding_of_residual(island.bound_of_W(), r));
     r.setZero();
     return std::numeric_limits<double>::infinity();
   }

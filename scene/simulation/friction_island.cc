@@ -38,6 +38,11 @@ double FrictionIsland::bound_of_W() const {
   return bound;
 }
 
+double FrictionIsland::rounding_of_residual(double bound, const Eigen::VectorXd& r) const {
+  const double size = size_of_q();
+  return size > 0 ? 0x1p-52 * r.norm() * bound / size : 0.0;
+}
+
 FrictionProblem FrictionIsland::dense() const {
   const auto size = 3 * static_cast<Eigen::Index>(contacts.size());
   FrictionProblem problem{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd(size), {}};

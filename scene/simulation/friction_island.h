@@ -33,6 +33,10 @@ struct FrictionIsland {
   /// At least ‖W‖.
   double bound_of_W() const;
 
+  /// What island_residual() cannot tell from 0, with a bound of ‖W‖: of impulses that have grown without end
+  /// it is 0.
+  double rounding_of_residual(double bound, const Eigen::VectorXd& r) const;
+
   bool operator==(const FrictionIsland&) const = default;
 
   /// With numbers of some other problem in directions along which nothing moves: the third of the plane.

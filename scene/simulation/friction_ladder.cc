@@ -26,11 +26,12 @@ struct Rung {
 
 // In the order of what they solve in a millisecond.
 using From = Rung::From;
-constexpr Rung kRungs[] = {
-    {From::interior, 1, 100}, {From::best, 1, 1000},    {From::best, 1, 10},     {From::best, 1, 100},
-    {From::passes, 1, 300},   {From::best, 1, 3e4},     {From::passes, 0.5, 30}, {From::best, 1, 1},
-    {From::best, 1, 300},     {From::passes, 1, 10},    {From::best, 1, 1e4},    {From::passes, 0, 1},
-    {From::passes, 2, 1},     {From::passes, 0.5, 0.1}, {From::best, 1, 3000},   {From::best, 1, 1e5}};
+constexpr Rung kRungs[] = {{From::interior, 1, 300}, {From::interior, 1, 30},  {From::best, 1, 1000},
+                           {From::best, 1, 10},      {From::best, 1, 100},     {From::passes, 0.5, 30},
+                           {From::passes, 1, 30},    {From::best, 1, 3e4},     {From::passes, 2, 1},
+                           {From::best, 1, 300},     {From::best, 1, 1},       {From::best, 1, 1e4},
+                           {From::passes, 0, 1},     {From::passes, 0.5, 0.1}, {From::best, 1, 3000},
+                           {From::best, 1, 1e5},     {From::passes, 1, 10}};
 
 // The residual above which a dense matrix of so many contacts is factorized, which above 150 takes a second.
 double hard_friction(std::size_t contacts, bool first) {
@@ -41,7 +42,7 @@ double hard_friction(std::size_t contacts, bool first) {
 class Ladder {
  public:
   Ladder(const FrictionIsland& island, double bound, double enough, double residual, Eigen::VectorXd& r)
-      : enough_(enough), newton_(island, bound), residual_(residual), r_(r) {}
+      : island_(island), bound_(bound), enough_(enough), newton_(island, bound), residual_(residual), r_(r) {}
 
   double residual() const { return residual_; }
   bool is_solved() const { return residual_ <= enough_; }
@@ -53,10 +54,10 @@ class Ladder {
   }
 
   // Passes, likewise.
-  void pass(const FrictionIsland& island, double bound) {
+  void pass() {
     if (is_solved()) return;
     Eigen::VectorXd trial = r_;
-    take(pass_over_friction(island, bound, trial, kMore * enough_), trial);
+    take(pass_over_friction(island_, bound_, trial, kMore * enough_), trial);
   }
 
   void newton(Eigen::VectorXd trial, double steepness) {
@@ -65,6 +66,8 @@ class Ladder {
 
  private:
   void take(double found, const Eigen::VectorXd& r) {
+    const double rounding = island_.rounding_of_residual(bound_, r);
+    if (rounding > enough_) found = std::max(found, rounding);
     if (!(found < residual_)) return;
     residual_ = found;
     r_ = r;
@@ -73,7 +76,8 @@ class Ladder {
   static constexpr double kMore = 0.1;  // of what is enough: the last passes gain much
   static constexpr int kBrief = 3;      // rounds
 
-  double enough_;
+  const FrictionIsland& island_;
+  double bound_, enough_;
   IslandNewton newton_;
   double residual_;
   Eigen::VectorXd& r_;
@@ -105,13 +109,17 @@ double solve_friction(const FrictionIsland& island, FrictionSolver* friction, Ei
   Ladder ladder(island, bound, enough, passed, r);
   const Eigen::VectorXd passes = r;
   ladder.newton(passes, tuned::kFirstSteepness);
+  Eigen::VectorXd interior;
   for (const Rung& rung : kRungs) {
     if (ladder.is_solved()) break;
-    Eigen::VectorXd start = rung.from == From::passes ? passes : r;
-    if (rung.from == From::interior) IslandInterior(island, bound).solve(enough, start);
+    if (rung.from == From::interior && interior.size() == 0)
+      IslandInterior(island, bound).solve(enough, interior = passes);
+    const Eigen::VectorXd& start = rung.from == From::passes ? passes
+                                   : rung.from == From::best ? r
+                                                             : interior;
     ladder.newton(rung.share * start, rung.steepness);
   }
-  ladder.pass(island, bound);
+  ladder.pass();
   if (friction == nullptr || ladder.residual() <= std::max(enough, hard_friction(count, first)))
     return ladder.residual();
   Eigen::VectorXd trial = guess;

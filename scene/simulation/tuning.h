@@ -23,7 +23,7 @@ inline constinit const Threshold<int> kPassesOfLook{8};
 
 /// How steep the equations of Newton's method for friction are at first, and rounds within which the residual
 /// is to fall to half.
-inline constinit const Threshold<double> kFirstSteepness{100};
+inline constinit const Threshold<double> kFirstSteepness{300};
 inline constinit const Threshold<int> kPatienceOfRounds{15};
 
 /// Contacts, and bodies, that are worth a second thread.
