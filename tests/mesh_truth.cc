@@ -176,6 +176,15 @@ std::vector<Candidate> all_pairs(const Balls& first, const Balls& second) {
   return pairs;
 }
 
+// Of two triangles that meet by doubles, those of edges in the other one's plane may be apart.
+double rough_distance(const MeshShape& one, const Pose& at_1, std::size_t s, const MeshShape& two,
+                      const Pose& at_2, std::size_t t) {
+  const double square = squared_distance(corners<double>(one, at_1, s), corners<double>(two, at_2, t));
+  if (square > 0) return std::sqrt(square);
+  const Quad sure = squared_distance(corners<Quad>(one, at_1, s), corners<Quad>(two, at_2, t));
+  return sure > 0 ? std::sqrt(static_cast<double>(sure)) : 0.0;
+}
+
 // Those that may be the nearest ones, by doubles.
 std::vector<Candidate> near_pairs(const MeshShape& one, const Pose& at_1, const MeshShape& two,
                                   const Pose& at_2, double& size) {
@@ -186,9 +195,8 @@ std::vector<Candidate> near_pairs(const MeshShape& one, const Pose& at_1, const 
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& pair : all_pairs(first, second)) {
     if (pair.lower > least + margin) break;
-    const auto s = static_cast<std::size_t>(pair.s), t = static_cast<std::size_t>(pair.t);
-    const double d = std::sqrt(
-        std::max(0.0, squared_distance(corners<double>(one, at_1, s), corners<double>(two, at_2, t))));
+    const double d = rough_distance(one, at_1, static_cast<std::size_t>(pair.s), two, at_2,
+                                    static_cast<std::size_t>(pair.t));
     least = std::min(least, d);
     if (d <= least + margin) found.push_back({d, pair.s, pair.t});
   }
