@@ -79,7 +79,7 @@ TunedMethod simulation() {
            {{"kPatienceOfPasses", tuned::kPatienceOfPasses}, {8, 15, 60, 120}, on, heap},
            {{"kPatienceOfRoughPasses", tuned::kPatienceOfRoughPasses}, {3, 5, 20, 40}, of_packed, packed},
            {{"kPassesOfLook", tuned::kPassesOfLook}, {1, 4, 16, 32}, on, heap},
-           {{"kFirstSteepness", tuned::kFirstSteepness}, {3, 10, 100, 300}, of_packed, packed},
+           {{"kFirstSteepness", tuned::kFirstSteepness}, {10, 30, 100, 1000}, of_packed, packed},
            {{"kPatienceOfRounds", tuned::kPatienceOfRounds}, {5, 10, 25, 40}, of_packed, packed},
            {{"kContactsOfThreads", tuned::kContactsOfThreads},
             {8, 16, 64, 128},
