@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "engine/numerics/fused.h"
+
 namespace raygauge {
 
 // Corner i is at the top along axis k if bit k of i is set; facet 2 k is across axis k at the base, facet 2 k
@@ -43,6 +45,23 @@ void PolytopeFaces::set_segment(const Vector3& base, const Vector3& top) noexcep
     corner[k][0] = (&base.x)[k];
     corner[k][1] = (&top.x)[k];
     this->way[k][0] = (&along.x)[k];
+  }
+}
+
+RAYGAUGE_VECTORS void PolytopeFaces::place_mirrored(const PolytopeFaces& other, const Matrix3& M,
+                                                    const Vector3& t) noexcept {
+  const Vector3 a = M.column[0], b = M.column[1], c = M.column[2], d = t;
+  for (int i = 0; i < kCorners; ++i) {
+    const double x = other.corner[0][i], y = other.corner[1][i], z = other.corner[2][i];
+    corner[0][i] = -(a.x * x + b.x * y + c.x * z + d.x);
+    corner[1][i] = -(a.y * x + b.y * y + c.y * z + d.y);
+    corner[2][i] = -(a.z * x + b.z * y + c.z * z + d.z);
+  }
+  for (int i = 0; i < kFacets; ++i) {
+    const double x = other.normal[0][i], y = other.normal[1][i], z = other.normal[2][i];
+    normal[0][i] = -(a.x * x + b.x * y + c.x * z);
+    normal[1][i] = -(a.y * x + b.y * y + c.y * z);
+    normal[2][i] = -(a.z * x + b.z * y + c.z * z);
   }
 }
 

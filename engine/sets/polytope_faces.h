@@ -28,6 +28,10 @@ struct PolytopeFaces {
   /// The box [base, top].
   static PolytopeFaces of_box(const Vector3& base, const Vector3& top) noexcept;
 
+  /// The corners -(M x + t) and the normals -M n of another polytope: those of its mirror image, for a
+  /// rotation M. Edges and numbers stay as they are.
+  void place_mirrored(const PolytopeFaces& other, const Matrix3& M, const Vector3& t) noexcept;
+
   /// The segment [base, top], an edge without facets beside it; where both are the same, one corner.
   void set_segment(const Vector3& base, const Vector3& top) noexcept;
 };

@@ -32,23 +32,6 @@ bool FrustumDepth::place(const SpatialShape& frustum, const Matrix3& R, const Ve
   return frustum_.full > kNearby * size_ && base > kNearby * size_;
 }
 
-RAYGAUGE_VECTORS void FrustumDepth::place_facets(const PolytopeFaces& from, const Matrix3& M,
-                                                 const Vector3& t, PolytopeFaces& placed) noexcept {
-  const Vector3 a = M.column[0], b = M.column[1], c = M.column[2], way = t;
-  for (int i = 0; i < kCorners; ++i) {
-    const double x = from.corner[0][i], y = from.corner[1][i], z = from.corner[2][i];
-    placed.corner[0][i] = -(a.x * x + b.x * y + c.x * z + way.x);
-    placed.corner[1][i] = -(a.y * x + b.y * y + c.y * z + way.y);
-    placed.corner[2][i] = -(a.z * x + b.z * y + c.z * z + way.z);
-  }
-  for (int i = 0; i < kFacets; ++i) {
-    const double x = from.normal[0][i], y = from.normal[1][i], z = from.normal[2][i];
-    placed.normal[0][i] = -(a.x * x + b.x * y + c.x * z);
-    placed.normal[1][i] = -(a.y * x + b.y * y + c.y * z);
-    placed.normal[2][i] = -(a.z * x + b.z * y + c.z * z);
-  }
-}
-
 // The corners are those of base - P.
 void FrustumDepth::place_other() noexcept {
   Vector3 way = t_;
@@ -60,7 +43,7 @@ void FrustumDepth::place_other() noexcept {
   way = basis_.transposed_times(way - base_);
   placed_.corners = other_->corners;
   placed_.facets = other_->facets;
-  if (other_->facets > 0) return place_facets(*other_, turn_, way, placed_);
+  if (other_->facets > 0) return placed_.place_mirrored(*other_, turn_, way);
   for (int i = 0; i < other_->corners; ++i) {
     const Vector3 x = -(turn_ * other_->corner_at(i) + way);
     for (int k = 0; k < 3; ++k) placed_.corner[k][i] = (&x.x)[k];

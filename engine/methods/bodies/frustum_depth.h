@@ -53,8 +53,6 @@ class FrustumDepth : public FacetDepth {
 
   bool place(const SpatialShape& frustum, const Matrix3& R, const Vector3& t) noexcept;
   void place_other() noexcept;
-  static void place_facets(const PolytopeFaces& of, const Matrix3& M, const Vector3& way,
-                           PolytopeFaces& placed) noexcept;
   static void measure_facets(const UprightFrustum& frustum, PolytopeFaces& of, double (*point)[kFacets],
                              double* height) noexcept;
   Vector3 to_first(const Vector3& u) const noexcept;

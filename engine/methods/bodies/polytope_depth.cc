@@ -22,19 +22,8 @@ constexpr double kNearby = 1e-8;          // of the size: more than what is lost
 
 RAYGAUGE_VECTORS void PolytopeDepth::place(const PolytopeFaces& from, const Matrix3& R, const Vector3& t,
                                            PolytopeFaces& placed) noexcept {
-  const Vector3 a = R.column[0], b = R.column[1], c = R.column[2], way = t;
-  for (int i = 0; i < PolytopeFaces::kCorners; ++i) {
-    const double x = from.corner[0][i], y = from.corner[1][i], z = from.corner[2][i];
-    placed.corner[0][i] = -(a.x * x + b.x * y + c.x * z + way.x);
-    placed.corner[1][i] = -(a.y * x + b.y * y + c.y * z + way.y);
-    placed.corner[2][i] = -(a.z * x + b.z * y + c.z * z + way.z);
-  }
-  for (int i = 0; i < kFacets; ++i) {
-    const double x = from.normal[0][i], y = from.normal[1][i], z = from.normal[2][i];
-    placed.normal[0][i] = -(a.x * x + b.x * y + c.x * z);
-    placed.normal[1][i] = -(a.y * x + b.y * y + c.y * z);
-    placed.normal[2][i] = -(a.z * x + b.z * y + c.z * z);
-  }
+  placed.place_mirrored(from, R, t);
+  const Vector3 a = R.column[0], b = R.column[1], c = R.column[2];
   for (int i = 0; i < kEdges; ++i) {
     const double x = from.way[0][i], y = from.way[1][i], z = from.way[2][i];
     placed.way[0][i] = a.x * x + b.x * y + c.x * z;
