@@ -184,7 +184,7 @@ RAYGAUGE_VECTORS void BodyFactors::factorize() {
   }
 }
 
-void BodyFactors::solve(Columns& x) {
+void BodyFactors::solve(BodyColumns& x) {
   x_.resize(pivots_.size());
   for (std::size_t k = 0; k < pivots_.size(); ++k) {
     for (int i = 0; i < 6; ++i) x_[k].y[i] = x(i, pivots_[k].body);

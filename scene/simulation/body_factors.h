@@ -16,8 +16,6 @@ namespace raygauge {
 /// U, the bodies of fewest neighbours first. The same bits whatever the machine.
 class BodyFactors {
  public:
-  using Columns = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< six numbers of each body
-
   explicit BodyFactors(const FrictionIsland& island);
 
   void set_identity();
@@ -33,7 +31,7 @@ class BodyFactors {
   void factorize();
 
   /// In place.
-  void solve(Columns& x);
+  void solve(BodyColumns& x);
 
  private:
   struct Block {

@@ -149,17 +149,13 @@ void IslandInterior::find_step() {
     const IslandContact& contact = island_.contacts[c];
     const Cone& cone = cones_[c];
     const Vector3d r = by_friction(cone.P_inverse * cone.rho + cone.by_lack * cone.lack, contact.mu);
-    if (contact.a >= 0) y_.col(contact.a).noalias() += contact.A_a * r;
-    if (contact.b >= 0) y_.col(contact.b).noalias() += contact.A_b * r;
+    push_bodies(contact, r, y_);
   }
   factors_.solve(y_);
   for (std::size_t c = 0; c < cones_.size(); ++c) {
     const IslandContact& contact = island_.contacts[c];
     Cone& cone = cones_[c];
-    Vector3d u = Vector3d::Zero();
-    if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y_.col(contact.a);
-    if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y_.col(contact.b);
-    u = by_friction(u, contact.mu) - cone.lack;
+    Vector3d u = by_friction(with_bodies(contact, Vector3d::Zero(), y_), contact.mu) - cone.lack;
     cone.by_x = cone.P_inverse * cone.rho - cone.by_lack * u;
     const double length = tangent(cone.z).norm();
     if (length > 0) u[0] += tangent(cone.z).dot(tangent(u)) / length;

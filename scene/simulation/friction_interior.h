@@ -57,7 +57,7 @@ class IslandInterior {
   Eigen::VectorXd r_;
   double mean_ = 0;  // τ
   IslandVelocities velocities_;
-  BodyFactors::Columns y_;
+  BodyColumns y_;
   BodyFactors factors_;
 };
 

@@ -43,6 +43,22 @@ struct FrictionIsland {
   FrictionProblem dense() const;
 };
 
+/// Six numbers of each body.
+using BodyColumns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+
+/// Adds A_a r and A_b r.
+inline void push_bodies(const IslandContact& contact, const Eigen::Vector3d& r, BodyColumns& y) {
+  if (contact.a >= 0) y.col(contact.a).noalias() += contact.A_a * r;
+  if (contact.b >= 0) y.col(contact.b).noalias() += contact.A_b * r;
+}
+
+/// u + A_aᵀ y_a + A_bᵀ y_b.
+inline Eigen::Vector3d with_bodies(const IslandContact& contact, Eigen::Vector3d u, const BodyColumns& y) {
+  if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y.col(contact.a);
+  if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y.col(contact.b);
+  return u;
+}
+
 /// The scaled velocities of the bodies that the impulses give: Σ A r.
 class IslandVelocities {
  public:
@@ -51,20 +67,11 @@ class IslandVelocities {
 
   void reset(const FrictionIsland& island, const Eigen::VectorXd& r);
 
-  Eigen::Vector3d of(const IslandContact& contact) const {
-    Eigen::Vector3d u = contact.q;
-    if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y_.col(contact.a);
-    if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y_.col(contact.b);
-    return u;
-  }
-
-  void push(const IslandContact& contact, const Eigen::Vector3d& r) {
-    if (contact.a >= 0) y_.col(contact.a).noalias() += contact.A_a * r;
-    if (contact.b >= 0) y_.col(contact.b).noalias() += contact.A_b * r;
-  }
+  Eigen::Vector3d of(const IslandContact& contact) const { return with_bodies(contact, contact.q, y_); }
+  void push(const IslandContact& contact, const Eigen::Vector3d& r) { push_bodies(contact, r, y_); }
 
  private:
-  Eigen::Matrix<double, 6, Eigen::Dynamic> y_;
+  BodyColumns y_;
 };
 
 /// How far r and the velocity u leave a contact from its law: the length of r - (its nearest point in the

@@ -38,22 +38,20 @@ auto part(Eigen::VectorXd& r, std::size_t c) { return r.segment<3>(3 * static_ca
 /// least, they are impulses r with Σ A r = 0, and rᵀq = -|r|².
 class Lack {
  public:
-  using Columns = BodyFactors::Columns;
-
   explicit Lack(const FrictionIsland& island)
       : island_(island),
         factors_(island),
         bound_(island.bound_of_W()),
         size_of_q_(island.size_of_q()),
-        y_(Columns::Zero(6, island.bodies)),
+        y_(BodyColumns::Zero(6, island.bodies)),
         r_(3 * static_cast<Eigen::Index>(island.contacts.size())) {}
 
   std::optional<Eigen::VectorXd> impulses() {
     double size = look(y_);
     for (int k = 0; k < kMostSteps && r_.norm() > kSlight * size_of_q_; ++k) {
-      const Columns push = this->push();
+      const BodyColumns push = this->push();
       if (refutes(push)) return r_;
-      const Columns step = this->step(push), from = y_;
+      const BodyColumns step = this->step(push), from = y_;
       const double slope = push.cwiseProduct(step).sum();
       double share = 1;
       double next = look(y_ = from + step);
@@ -69,45 +67,37 @@ class Lack {
 
  private:
   // rᵀ(Aᵀy' + q) = (Σ A r)ᵀ(y' - y) - |r|², which is below 0 of all y' that are not so far from y.
-  bool refutes(const Columns& push) const {
+  bool refutes(const BodyColumns& push) const {
     const double fast = kFaster * (y_.norm() + size_of_q_ / std::sqrt(bound_));
     return push.norm() * fast < r_.squaredNorm();
   }
 
   // Half the squared distance, and r.
-  double look(const Columns& y) {
-    for (std::size_t c = 0; c < island_.contacts.size(); ++c)
-      part(r_, c) = nearest_in_cone(-velocity(y, island_.contacts[c]), island_.contacts[c].mu);
+  double look(const BodyColumns& y) {
+    for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
+      const IslandContact& contact = island_.contacts[c];
+      part(r_, c) = nearest_in_cone(-with_bodies(contact, contact.q, y), contact.mu);
+    }
     return r_.squaredNorm() / 2;
   }
 
-  static Eigen::Vector3d velocity(const Columns& y, const IslandContact& contact) {
-    Eigen::Vector3d u = contact.q;
-    if (contact.a >= 0) u += contact.A_a.transpose() * y.col(contact.a);
-    if (contact.b >= 0) u += contact.A_b.transpose() * y.col(contact.b);
-    return u;
-  }
-
   // Σ A r: the slope of the distance, downwards.
-  Columns push() {
-    Columns sum = Columns::Zero(6, island_.bodies);
-    for (std::size_t c = 0; c < island_.contacts.size(); ++c) {
-      const IslandContact& contact = island_.contacts[c];
-      if (contact.a >= 0) sum.col(contact.a) += contact.A_a * part(r_, c);
-      if (contact.b >= 0) sum.col(contact.b) += contact.A_b * part(r_, c);
-    }
+  BodyColumns push() {
+    BodyColumns sum = BodyColumns::Zero(6, island_.bodies);
+    for (std::size_t c = 0; c < island_.contacts.size(); ++c)
+      push_bodies(island_.contacts[c], part(r_, c), sum);
     return sum;
   }
 
-  Columns step(const Columns& push) {
+  BodyColumns step(const BodyColumns& push) {
     const double firm = kFirm * bound_;
     factors_.set_identity();
     for (const IslandContact& contact : island_.contacts) {
-      const Eigen::Matrix3d slope = cone_slope(-velocity(y_, contact), contact.mu) / firm;
+      const Eigen::Matrix3d slope = cone_slope(-with_bodies(contact, contact.q, y_), contact.mu) / firm;
       factors_.add(contact, factors_.places_of(contact), slope);
     }
     factors_.factorize();
-    Columns step = push / firm;
+    BodyColumns step = push / firm;
     factors_.solve(step);
     return step;
   }
@@ -115,7 +105,7 @@ class Lack {
   const FrictionIsland& island_;
   BodyFactors factors_;
   double bound_, size_of_q_;
-  Columns y_;
+  BodyColumns y_;
   Eigen::VectorXd r_;
 };
 

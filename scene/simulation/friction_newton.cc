@@ -117,17 +117,14 @@ void IslandNewton::find_step(const Eigen::VectorXd& r) {
     const Row& row = rows_[c];
     const Eigen::Vector3d by_F = row.inverse * row.F;
     step_.segment<3>(3 * static_cast<Eigen::Index>(c)) = -by_F;
-    if (contact.a >= 0) y_.col(contact.a).noalias() -= contact.A_a * by_F;
-    if (contact.b >= 0) y_.col(contact.b).noalias() -= contact.A_b * by_F;
+    push_bodies(contact, -by_F, y_);
     if (row.by_y(0, 0) != 0) factors_.add(contact, row.places, row.by_y);  // it is closed
   }
   factors_.factorize();
   factors_.solve(y_);
   for (std::size_t c = 0; c < rows_.size(); ++c) {
     const IslandContact& contact = island_.contacts[c];
-    Eigen::Vector3d u = Eigen::Vector3d::Zero();
-    if (contact.a >= 0) u.noalias() += contact.A_a.transpose() * y_.col(contact.a);
-    if (contact.b >= 0) u.noalias() += contact.A_b.transpose() * y_.col(contact.b);
+    const Eigen::Vector3d u = with_bodies(contact, Eigen::Vector3d::Zero(), y_);
     auto step = step_.segment<3>(3 * static_cast<Eigen::Index>(c));
     step.noalias() -= rows_[c].by_y * u;
     rows_[c].by_step = u + softness_ * step;

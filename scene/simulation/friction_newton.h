@@ -62,7 +62,7 @@ class IslandNewton {
   Eigen::VectorXd anchor_, step_;
   std::vector<Row> rows_;
   IslandVelocities velocities_;
-  BodyFactors::Columns y_;
+  BodyColumns y_;
   BodyFactors factors_;
 };
 

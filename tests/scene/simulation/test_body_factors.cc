@@ -30,7 +30,7 @@ TEST(BodyFactors, solutions_are_those_of_the_dense_matrix) {
         dense += G * D * G.transpose();
       }
       const Eigen::VectorXd wanted = Eigen::VectorXd::Random(150), b = dense * wanted;
-      BodyFactors::Columns x = b.reshaped(6, 25);
+      BodyColumns x = b.reshaped(6, 25);
       factors.factorize();
       factors.solve(x);
       EXPECT_LE((dense * x.reshaped() - b).norm(), 1e-13 * dense.norm() * wanted.norm());
